@@ -1,0 +1,37 @@
+# Language level, warnings and sanitizers: one interface target that every room links.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+add_library(finback_settings INTERFACE)
+target_include_directories(finback_settings INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(finback_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                       -Wno-sign-conversion -Werror)
+# Results may not depend on the host: no fused or reordered floating point.
+target_compile_options(finback_settings INTERFACE -ffp-contract=off)
+if(FINBACK_SANITIZE)
+  target_compile_options(finback_settings INTERFACE -fsanitize=address,undefined
+                         -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(finback_settings INTERFACE -fsanitize=address,undefined)
+endif()
+
+# finback_library(NAME sources...): a room. Link what it knows of with target_link_libraries.
+function(finback_library name)
+  add_library(${name} STATIC ${ARGN})
+  target_link_libraries(${name} PUBLIC finback_settings)
+endfunction()
+
+# finback_test(NAME sources... [LIBRARIES libs...] [LABELS labels...]): a GoogleTest program; each of
+# its tests is one ctest test.
+function(finback_test name)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES;LABELS" ${ARGN})
+  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} finback_settings GTest::gtest_main GTest::gmock)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${ARG_LABELS}")
+endfunction()
+
+find_package(fmt REQUIRED)
+find_package(GTest REQUIRED)
+include(GoogleTest)
