@@ -1,0 +1,70 @@
+// The whole machine: two cores, memories, DMA, interrupts and the host port, run in time order.
+//
+// Models: actors (core A, core B, DMA streams) ordered by (time, number). A core runs ahead on its
+// own L1 memory; at the first access that others can see it waits until everybody has reached that
+// time, so that results do not depend on the host. Does not model yet: caches, cameras on the PPIs,
+// power modes, changes of clock (docs/architecture.md).
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include <common/counters.hpp>
+#include <common/units.hpp>
+#include <isa_sim/core/profile.hpp>
+#include <isa_sim/ir/image.hpp>
+
+namespace finback::memory {
+class MemorySystem;
+}
+
+namespace finback::machine {
+
+class HostPort;
+struct MachineDescription;
+
+enum class Stop : std::uint8_t {
+  exited,       // the firmware wrote the host port's EXIT register
+  cycle_limit,  // RunLimits::cycles were reached
+  cancelled,    // RunLimits::cancelled answered true
+  deadlock,     // both cores sleep and nothing is going to wake them
+};
+
+struct RunLimits {
+  Cycles cycles = kNever;
+  // Asked about every millisecond of simulated time; true stops the run (Ctrl-C, a progress bar's
+  // owner).
+  std::function<bool(Cycles now)> cancelled;
+};
+
+struct StopInfo {
+  Stop reason = Stop::exited;
+  std::uint32_t exit_status = 0;
+  Cycles time = 0;
+};
+
+class Machine {
+ public:
+  // Both must outlive the machine. The image's initial data is loaded.
+  Machine(const MachineDescription& description, const ir::Image& image);
+  ~Machine();
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+
+  [[nodiscard]] HostPort& host();
+  [[nodiscard]] memory::MemorySystem& memory();
+
+  // Runs until something of `Stop` happens; may be called again after cycle_limit. Throws
+  // GuestFault, with core, function, source line and address, when the program does what the
+  // machine cannot.
+  StopInfo run(const RunLimits& limits = {});
+
+  [[nodiscard]] const CounterRegistry& counters() const;
+  [[nodiscard]] core::CoreProfile profile(CoreId core) const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace finback::machine
