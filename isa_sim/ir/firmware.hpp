@@ -1,0 +1,61 @@
+// A firmware: the BIR units of each core and of what both share, and the placement that goes with
+// them.
+//
+// A core's units are linked into that core alone (it gets its own copy of their functions and
+// objects); shared units hold objects only. The manifest firmware.toml: docs/bir.md, "Firmware".
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <isa_sim/ir/image.hpp>
+#include <isa_sim/ir/placement.hpp>
+#include <isa_sim/ir/program.hpp>
+
+namespace finback::ir {
+
+// A unit may belong to both cores; its program is then read once.
+using Unit = std::shared_ptr<const Program>;
+
+struct CoreUnits {
+  bool present = false;  // false: the core never starts
+  std::vector<Unit> units;
+  std::string entry = "_start";  // a symbol as in the text
+};
+
+// A stage of the firmware's work, for reports: a function with all that it calls.
+struct Stage {
+  std::string name;
+  Owner core = Owner::core_a;
+  std::string function;  // C name
+};
+
+struct FirmwareUnits {
+  std::string name;
+  std::string path;  // firmware.toml, or the bare BIR file
+  std::array<CoreUnits, kCoreCount> cores;
+  std::vector<Unit> shared;
+  std::vector<Stage> stages;  // in the order of the manifest
+};
+
+struct Firmware {
+  FirmwareUnits units;
+  Placement placement;
+};
+
+// Reads a manifest, its units (verified) and its placement; or a bare `.bir` file as a firmware of
+// core A with the default placement, entered at `_start` or, where there is none, at a start-up of
+// our own that calls `_main`, writes its result to the host port's EXIT register and idles.
+// Throws InputError naming file and line.
+[[nodiscard]] Firmware load_firmware(const std::filesystem::path& path);
+
+// The same for one program in memory.
+[[nodiscard]] Firmware bare_firmware(Program program);
+
+// The start-up of bare programs, as BIR text.
+[[nodiscard]] std::string_view bare_start_text();
+
+}  // namespace finback::ir
