@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Everything that must hold before a change is merged: formatting, the release build and its tests,
+# the same tests under the address and undefined-behaviour sanitizers (without the compiler, whose
+# LLVM is not instrumented), and clang-tidy.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+jobs=$(nproc)
+
+step() { printf '\n== %s (%d s so far)\n' "$1" "$SECONDS"; }
+
+step "packages"
+scripts/setup.sh
+
+# The project's own sources, as version control knows them.
+mapfile -t sources < <(git ls-files '*.cpp' '*.hpp')
+mapfile -t firmware_sources < <(git ls-files 'firmware/*.c' 'firmware/*.h')
+
+step "clang-format"
+clang-format --dry-run --Werror "${sources[@]}" "${firmware_sources[@]}"
+echo "${#sources[@]} C++ and ${#firmware_sources[@]} C files are formatted"
+
+step "release build"
+cmake --preset release
+cmake --build build/release --parallel "$jobs"
+
+step "release tests"
+ctest --preset release --parallel "$jobs" --no-tests=error
+
+step "asan-ubsan build"
+cmake --preset asan-ubsan
+cmake --build build/asan-ubsan --parallel "$jobs"
+
+step "asan-ubsan tests"
+ctest --preset asan-ubsan --parallel "$jobs" --no-tests=error
+
+step "clang-tidy"
+mapfile -t units < <(git ls-files '*.cpp')
+printf '%s\0' "${units[@]}" |
+  xargs --null --max-procs="$jobs" --max-args=4 clang-tidy --quiet -p build/release
+echo "clang-tidy: ${#units[@]} files are clean"
+
+step "all passed"
