@@ -95,7 +95,7 @@ struct Instruction {
   Energy energy = Energy::alu;
   std::uint32_t implicit = kNothing;
   Execute execute = nullptr;
-  std::string_view meaning;  // one line for the manual; "" when the syntax says it all
+  std::string_view meaning = {};  // one line for the manual; "" when the syntax says it all
 };
 
 // The whole table. An instruction's index in it is its identity within one version of Finback.

@@ -50,32 +50,36 @@ struct Operation {
   std::int32_t operator[](int index) const { return operand[static_cast<std::size_t>(index)]; }
 };
 
+// What an instruction asks of the system around the core.
+enum class SystemAction : std::uint8_t {
+  idle,
+  core_sync,
+  system_sync,
+  disable_interrupts,     // CLI; the mask was already saved and cleared
+  enable_interrupts,      // STI; the mask was already set
+  raise,                  // value: the event's number
+  exception,              // value: the code
+  return_from_interrupt,  // RTI; control was already sent to RETI
+  return_from_exception,
+  loop_bottom,  // LB0 or LB1 was written by a move; value: the address
+};
+
 // The engine's side of memory and control; set once per core.
 struct EngineHooks {
   // Finds where `address` lies. Returns the bytes to access, having charged stalls and counted;
   // nullptr with `state.retry` set when the access must be repeated later; throws GuestFault for an
-  // illegal one.
-  std::uint8_t* (*slow_access)(ExecutionState&, const Operation&, Address address, int bytes,
-                               bool write);
-  // Device registers: 16 or 32 bits. Same contract for `retry`.
-  std::uint32_t (*device_read)(ExecutionState&, const Operation&, Address address, int bytes);
-  void (*device_write)(ExecutionState&, const Operation&, Address address, int bytes,
-                       std::uint32_t value);
-  // Two accesses of one packet in L1: adds the conflict stall when they hit the same sub-bank.
-  void (*packet_conflict)(ExecutionState&, const Operation&, Address first, Address second);
-  // IDLE, SSYNC, STI, RAISE, EXCPT, RTI and the like; `code` is a SystemAction.
-  void (*system)(ExecutionState&, const Operation&, int code, std::uint32_t value);
-};
-
-enum SystemAction : int {
-  kIdle,
-  kCoreSync,
-  kSystemSync,
-  kDisableInterrupts,
-  kEnableInterrupts,
-  kRaise,
-  kException,
-  kReturnFromInterrupt,
+  // illegal one. `continued`: a further access of an instruction whose first access was granted,
+  // which is never sent back.
+  std::uint8_t* (*slow_access)(ExecutionState& state, const Operation& operation, Address address,
+                               int bytes, bool write, bool continued);
+  // Device registers, 1, 2 or 4 bytes. Both answer false, with `state.retry` set, when the access
+  // must be repeated.
+  bool (*device_read)(ExecutionState& state, const Operation& operation, Address address, int bytes,
+                      std::uint32_t& value);
+  bool (*device_write)(ExecutionState& state, const Operation& operation, Address address,
+                       int bytes, std::uint32_t value);
+  void (*system)(ExecutionState& state, const Operation& operation, SystemAction action,
+                 std::uint32_t value);
 };
 
 struct ExecutionState {
@@ -88,7 +92,6 @@ struct ExecutionState {
   Address next_address =
       0;  // where control goes after the block; preset to the fall-through address
   const Operation* retry = nullptr;  // the access to repeat when others have caught up
-  Address packet_first_address = 0;  // address of the first access of the running packet
 
   Cycles time = 0;  // at the start of the running block, plus its dynamic stalls so far
   std::uint32_t interrupt_mask = 0;  // IMASK
