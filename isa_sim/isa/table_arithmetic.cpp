@@ -106,12 +106,12 @@ constexpr Instruction kTable[] = {
      .energy = Energy::mac,
      .execute = plain<[](ExecutionState& s, const Operation& o) { reg(s, o[0]) *= reg(s, o[1]); }>,
      .meaning = "32-bit multiply, low word"},
-    form("{D+} = ({D} + {D}) << 1", plain<[](ExecutionState& s, const Operation& o) {
-           reg(s, o[0]) = (reg(s, o[1]) + reg(s, o[2])) << 1;
+    form("{D+} = ({=0} + {D}) << 1", plain<[](ExecutionState& s, const Operation& o) {
+           reg(s, o[0]) = (reg(s, o[0]) + reg(s, o[1])) << 1;
            set_az_an(s, reg(s, o[0]));
          }>),
-    form("{D+} = ({D} + {D}) << 2", plain<[](ExecutionState& s, const Operation& o) {
-           reg(s, o[0]) = (reg(s, o[1]) + reg(s, o[2])) << 2;
+    form("{D+} = ({=0} + {D}) << 2", plain<[](ExecutionState& s, const Operation& o) {
+           reg(s, o[0]) = (reg(s, o[0]) + reg(s, o[1])) << 2;
            set_az_an(s, reg(s, o[0]));
          }>),
     form("{D+} <<= {uimm5}", plain<kUpdate<kLeft, true>>),
@@ -136,11 +136,11 @@ constexpr Instruction kTable[] = {
     pointer_form("{P!} = {P@} + {P@}", plain<kPointerAdd<0>>),
     pointer_form("{P!} = {P@} + ({P@} << 1)", plain<kPointerAdd<1>>),
     pointer_form("{P!} = {P@} + ({P@} << 2)", plain<kPointerAdd<2>>),
-    pointer_form("{P@+} = ({P@} + {P@}) << 1", plain<[](ExecutionState& s, const Operation& o) {
-                   reg(s, o[0]) = (reg(s, o[1]) + reg(s, o[2])) << 1;
+    pointer_form("{P@+} = ({=0} + {P@}) << 1", plain<[](ExecutionState& s, const Operation& o) {
+                   reg(s, o[0]) = (reg(s, o[0]) + reg(s, o[1])) << 1;
                  }>),
-    pointer_form("{P@+} = ({P@} + {P@}) << 2", plain<[](ExecutionState& s, const Operation& o) {
-                   reg(s, o[0]) = (reg(s, o[1]) + reg(s, o[2])) << 2;
+    pointer_form("{P@+} = ({=0} + {P@}) << 2", plain<[](ExecutionState& s, const Operation& o) {
+                   reg(s, o[0]) = (reg(s, o[0]) + reg(s, o[1])) << 2;
                  }>),
     pointer_form("{P!} = {P@} << 1", plain<kPointerShift<1>>),
     pointer_form("{P!} = {P@} << 2", plain<kPointerShift<2>>),

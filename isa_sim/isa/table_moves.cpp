@@ -67,6 +67,11 @@ constexpr auto kCompare = [](ExecutionState& s, const Operation& o) {
 using S = std::int32_t;
 using U = std::uint32_t;
 
+// CC = the bit equals `wanted`.
+template <std::uint32_t wanted>
+constexpr auto kTestBit =
+    [](ExecutionState& s, const Operation& o) { s.cc = (reg(s, o[0]) >> o[1] & 1) == wanted; };
+
 constexpr Instruction kTable[] = {
     // registers
     form("{D!} = {D}", 2, Result::alu, plain<kCopy>),
@@ -138,12 +143,8 @@ constexpr Instruction kTable[] = {
     writes_cc("CC = V", plain<[](ExecutionState& s, const Operation&) { s.cc = s.v; }>),
     writes_cc("CC = VS", plain<[](ExecutionState& s, const Operation&) { s.cc = s.vs; }>),
     writes_cc("CC = AQ", plain<[](ExecutionState& s, const Operation&) { s.cc = s.aq; }>),
-    writes_cc(
-        "CC = BITTST({D}, {uimm5})",
-        plain<[](ExecutionState& s, const Operation& o) { s.cc = reg(s, o[0]) >> o[1] & 1; }>),
-    writes_cc(
-        "CC = !BITTST({D}, {uimm5})",
-        plain<[](ExecutionState& s, const Operation& o) { s.cc = ~(reg(s, o[0]) >> o[1]) & 1; }>),
+    writes_cc("CC = BITTST({D}, {uimm5})", plain<kTestBit<1>>),
+    writes_cc("CC = !BITTST({D}, {uimm5})", plain<kTestBit<0>>),
 };
 
 }  // namespace
