@@ -1,0 +1,75 @@
+// The peripheral bus and everything on it: system registers from 0xFFC00000 to 0xFFDFFFFF.
+//
+// Models: MDMA1, MDMA2, IMDMA (registers only), SICA and SICB, the host port; reads that hold the
+// core, posted writes. A write takes effect at the time it is made, though the bus is busy with it
+// for a while; SSYNC waits for that. Does not model: PPI, timers, PLL, SPORT, SPI, UART, flags: an
+// access there is a GuestFault that names the nearest register there is. Source: hardware.md 1.6,
+// 3.1, 4.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include <common/units.hpp>
+#include <dma_model/memory_dma.hpp>
+#include <isa_sim/machine/host_port.hpp>
+#include <isa_sim/machine/machine_description.hpp>
+#include <isa_sim/machine/system_interrupts.hpp>
+#include <memory_model/memory_system.hpp>
+
+namespace finback::machine {
+
+inline constexpr Address kSystemRegisterBase = 0xFFC00000;
+inline constexpr Address kCoreRegisterBase = 0xFFE00000;  // not this bus: each core's own
+
+struct DeviceRead {
+  std::uint32_t value = 0;
+  Cycles stall = 0;  // beyond the issue cycle
+};
+
+class DeviceBus {
+ public:
+  DeviceBus(const MachineDescription& description, memory::MemorySystem& memory,
+            SystemInterrupts::Outputs interrupt_outputs);
+  DeviceBus(const DeviceBus&) = delete;
+  DeviceBus& operator=(const DeviceBus&) = delete;
+
+  // Access of `core` to a system register at `now`; 2 or 4 bytes. The bus must have been advanced
+  // to `now`. Throws GuestFault naming address and register; the caller adds who and where.
+  DeviceRead read(int core, Address address, int bytes, Cycles now);
+  // Returns the stall beyond the issue cycle.
+  Cycles write(int core, Address address, int bytes, std::uint32_t value, Cycles now);
+  // When the posted writes of `core` have all arrived (SSYNC); may be in the past.
+  [[nodiscard]] Cycles writes_drained_at(int core) const {
+    return bus_free_at_[static_cast<std::size_t>(core)];
+  }
+
+  // One actor for all devices: DMA streams and interrupt lines on their way.
+  [[nodiscard]] Cycles next_event_time() const { return next_event_; }
+  // Does everything due up to and including `now`, in the order of time (on equal times interrupts
+  // first, then MDMA1, then MDMA2).
+  void advance(Cycles now);
+
+  [[nodiscard]] HostPort& host() { return host_; }
+
+ private:
+  struct Place;
+  [[nodiscard]] Place locate(Address address, int bytes) const;
+  void plan_next_event();
+
+  Cycles read_cycles_;
+  Cycles write_cycles_;
+  std::array<Cycles, kCoreCount> bus_free_at_{};
+  Cycles next_event_ = kNever;
+  SystemInterrupts interrupts_;
+  HostPort host_;
+  dma::MemoryDma mdma1_;
+  dma::MemoryDma mdma2_;
+  dma::InternalMemoryDma imdma_;
+};
+
+// The name of the register at `address`, "" when there is none: "SICA_IMASK0", "MDMA1_D0_CONFIG".
+[[nodiscard]] std::string register_name(Address address);
+
+}  // namespace finback::machine

@@ -1,0 +1,86 @@
+// The system interrupt controllers: SICA for core A, SICB for core B.
+//
+// Models: 64 sources with masks, assignment to IVG7-15, wake-up masks; the two supplemental
+// interrupts of each core raised and acknowledged through SICB_SYSCR; release of core B through
+// SICA_SYSCR. A line that rises is seen by the core after a latency, one that falls at once. Does
+// not model: SWRST and RVECT (they read 0), boot mode. Source: hardware.md 3.1 (default IVGs), 4.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <common/units.hpp>
+#include <isa_sim/machine/device_parameters.hpp>
+
+namespace finback::machine {
+
+// Numbers of the sources that the machine has.
+enum InterruptSource : int {
+  kMdma1Stream0 = 53,
+  kMdma1Stream1 = 54,
+  kMdma2Stream0 = 55,
+  kMdma2Stream1 = 56,
+  kSupplemental0 = 62,
+  kSupplemental1 = 63,
+};
+
+class SystemInterrupts {
+ public:
+  static constexpr int kSourceCount = 64;
+  static constexpr std::uint32_t kRegisterBytes = 0x44;
+
+  struct Outputs {
+    // Bit n: IVGn is requested of `core`. `wake`: a source that IWR admits is active, which ends
+    // IDLE. Called at the very time that it takes effect, from advance() or from a register write.
+    std::function<void(int core, std::uint32_t pending_ivg, bool wake, Cycles at)> lines_changed;
+    std::function<void(Cycles at)> core_b_released;
+  };
+
+  SystemInterrupts(const DeviceParameters& parameters, Cycles ratio, Outputs outputs);
+
+  // Registers of SICA (`core` 0) or SICB (`core` 1), offset from 0xFFC00100 or 0xFFC01100. Throw
+  // GuestFault for what is no register.
+  [[nodiscard]] std::uint32_t read(int core, std::uint32_t offset) const;
+  void write(int core, std::uint32_t offset, std::uint32_t value, Cycles now);
+
+  // A peripheral's line, seen by both cores' controllers.
+  void set_line(int source, bool level, Cycles now);
+
+  // An actor: lines that become visible to a core.
+  [[nodiscard]] Cycles next_event_time() const { return next_event_; }
+  void advance(Cycles now);
+
+ private:
+  struct Controller {
+    std::array<std::uint32_t, 2> mask{};  // IMASK0, 1
+    std::array<std::uint32_t, 2> wake{0xFFFFFFFF, 0xFFFFFFFF};
+    std::array<std::uint32_t, 8> assignment{};
+    std::array<std::uint32_t, 2> line{};     // ISR0, 1
+    std::array<std::uint32_t, 2> visible{};  // the part of `line` whose latency is over
+    std::uint32_t pending_ivg = 0;
+    bool waking = false;
+  };
+  struct Rise {
+    Cycles at = 0;
+    int core = 0;
+    int source = 0;
+  };
+
+  void set(int core, int source, bool level, Cycles now, Cycles latency);
+  void write_intercore(std::uint32_t value, Cycles now);
+  void update(int core, Cycles at);
+  void plan_next_event();
+
+  Cycles intercore_latency_;
+  Cycles peripheral_latency_;
+  Outputs outputs_;
+  std::array<Controller, kCoreCount> controllers_;
+  std::uint32_t sica_syscr_ = 0x20;  // COREB_SRAM_INIT: core B held
+  std::vector<Rise> rises_;          // few; in the order in which they were raised
+  Cycles next_event_ = kNever;
+};
+
+}  // namespace finback::machine

@@ -1,0 +1,74 @@
+// What accesses to the shared on-chip L2 cost.
+//
+// Models: one 64-bit port for both cores, taken for the whole of a read and for the posted cost of
+// a write, first come first served (on equal times core A comes first, being asked first); a
+// separate DMA port at SCLK whose bursts delay core accesses to the same sub-bank. Does not model:
+// pipelined reads of one core, the anomaly 05000428. Source: hardware.md 2.3.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <common/units.hpp>
+#include <memory_model/memory_map.hpp>
+#include <memory_model/memory_parameters.hpp>
+
+namespace finback::memory {
+
+class L2Timing {
+ public:
+  // `region`: where L2 lies; nullptr for a machine without one.
+  L2Timing(const MemoryParameters& parameters, Cycles ratio, const Region* region);
+
+  // Stall beyond the issue cycle `now`.
+  Cycles core_read(int core, Address address, Cycles now) {
+    const Cycles done = grant(core, address, now) + read_cycles_;
+    port_free_at_ = done;
+    return done - now - 1;
+  }
+  // Arrival of a write that may start at `start`.
+  Cycles posted_write(int core, Address address, Cycles start) {
+    port_free_at_ = grant(core, address, start) + write_cycles_;
+    return port_free_at_;
+  }
+  // A read and a completed write with the port kept: time until the write has arrived.
+  Cycles locked_read_write(int core, Address address, Cycles now) {
+    port_free_at_ = grant(core, address, now) + 2 * read_cycles_;
+    return port_free_at_ - now;
+  }
+  [[nodiscard]] Cycles fetch_stall() const { return read_cycles_ - 1; }
+
+  // A DMA burst of `words` words: when it has the port.
+  Cycles dma_start(Cycles now) const { return std::max(now, dma_free_at_) + dma_overhead_; }
+  // `words` words from `address` on, all in one sub-bank or in few: returns when they have passed.
+  Cycles dma_words(Address first, Address last, std::uint32_t words, Cycles start);
+
+ private:
+  Cycles grant(int core, Address address, Cycles now) {
+    Cycles start = now;
+    if (port_free_at_ > now) {
+      start = port_free_at_ + (port_core_ == core ? 0 : contention_cycles_);
+    }
+    port_core_ = core;
+    if (sub_bank_dma_until_[(address - base_) / sub_bank_bytes_] > start) {
+      start += dma_collision_cycles_;
+    }
+    return start;
+  }
+
+  Cycles read_cycles_;
+  Cycles write_cycles_;
+  Cycles contention_cycles_;
+  Cycles dma_collision_cycles_;
+  Cycles dma_overhead_;
+  Cycles dma_word_;
+  Address base_ = 0;
+  std::uint32_t sub_bank_bytes_;
+  int port_core_ = 0;
+  Cycles port_free_at_ = 0;
+  Cycles dma_free_at_ = 0;
+  std::vector<Cycles> sub_bank_dma_until_;
+};
+
+}  // namespace finback::memory

@@ -1,0 +1,122 @@
+// What accesses to the SDRAM on the external bus cost.
+//
+// Models: one bus, reserved first come first served in whole accesses (a core waits for the DMA
+// burst in progress, and DMA asks again after every burst, which gives cores precedence between
+// bursts); one open row per internal bank; tRCD, tRP, tRAS, tWR, CL; refresh at fixed times, which
+// closes all rows. Does not model: the phase of SCLK, command overlap between banks, the CDPRIO
+// swap, 16-bit mode. Source: hardware.md 2.4, 2.5.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <common/units.hpp>
+#include <memory_model/clock_parameters.hpp>
+#include <memory_model/memory_map.hpp>
+#include <memory_model/memory_parameters.hpp>
+
+namespace finback::memory {
+
+struct SdramCounters {
+  std::uint64_t row_hits = 0;
+  std::uint64_t row_misses = 0;  // the bank had another row open, or none
+  std::uint64_t refreshes = 0;   // that an access came upon or after; idle tails do not count
+  Cycles busy_cycles = 0;        // bus reserved by accesses
+};
+
+class SdramTiming {
+ public:
+  // `region`: where the SDRAM lies; nullptr for a machine without one.
+  SdramTiming(const MemoryParameters& parameters, const ClockParameters& clock,
+              const Region* region);
+
+  // A read of up to 32 bits: stall beyond the issue cycle `now`.
+  Cycles core_read(Address address, Cycles now) {
+    const Cycles start = open_for_read(address, acquire(now));
+    release(start, core_read_hold_);
+    return start + core_read_ - now - 1;
+  }
+  // Arrival of a write of up to 32 bits that may start at `start`.
+  Cycles posted_write(Address address, Cycles start) {
+    release(open_for_write(address, acquire(start)), write_);
+    return free_at_;
+  }
+  // A read and a completed write with the bus kept: time until the write has arrived.
+  Cycles locked_read_write(Address address, Cycles now) {
+    release(open_for_read(address, acquire(now)), 2 * core_read_);
+    return free_at_ - now;
+  }
+  // 64 bits from an open row.
+  [[nodiscard]] Cycles fetch_stall() const { return core_read_ + beat_ - 1; }
+
+  // A DMA burst, in three steps: the bus from dma_start, then words (an element each), then the
+  // end. dma_start returns when the first column command can go out.
+  Cycles dma_start(bool write, Cycles now);
+  // `count` elements, `stride` bytes apart, starting at `start`; returns when the last has passed.
+  Cycles dma_words(bool write, Address address, std::int32_t stride, std::uint32_t count,
+                   Cycles start);
+
+  [[nodiscard]] const SdramCounters& counters() const { return counters_; }
+
+ private:
+  static constexpr std::uint32_t kNoRow = ~std::uint32_t{0};
+  struct Bank {
+    std::uint32_t row = kNoRow;
+    Cycles opened_at = 0;
+  };
+
+  // The bus from `now` on, behind those who have it and behind a refresh that is due.
+  Cycles acquire(Cycles now) {
+    Cycles start = std::max(now, free_at_);
+    if (start >= next_refresh_) {
+      start = refresh(start);
+    }
+    bus_from_ = start;
+    return start;
+  }
+  void release(Cycles start, Cycles duration) {
+    free_at_ = start + duration;
+    counters_.busy_cycles += free_at_ - bus_from_;
+  }
+  Cycles open_for_read(Address address, Cycles now) { return open(address, now, 0); }
+  Cycles open_for_write(Address address, Cycles now) { return open(address, now, twr_); }
+  // When the row of `address` is open, asked for at `now`; `before_close` is the write recovery.
+  Cycles open(Address address, Cycles now, Cycles before_close) {
+    const std::uint32_t offset = address - base_;
+    Bank& bank = banks_[offset / bank_bytes_];
+    const std::uint32_t row = offset / page_bytes_;
+    if (bank.row == row) {
+      ++counters_.row_hits;
+      return now;
+    }
+    ++counters_.row_misses;
+    const Cycles closed =
+        bank.row == kNoRow ? now : std::max(now + before_close, bank.opened_at + tras_) + trp_;
+    bank.row = row;
+    bank.opened_at = closed;
+    return closed + trcd_;
+  }
+  Cycles refresh(Cycles start);
+
+  Cycles cl_, trcd_, trp_, tras_, twr_;
+  Cycles core_read_;  // overhead + CL
+  Cycles core_read_hold_;
+  Cycles write_;
+  Cycles beat_;
+  Cycles dma_overhead_;
+  Cycles turnaround_;
+  Cycles refresh_period_;
+  Cycles refresh_;
+  Address base_ = 0;
+  std::uint32_t bank_bytes_;
+  std::uint32_t page_bytes_;
+  std::vector<Bank> banks_;
+  Cycles free_at_ = 0;
+  Cycles bus_from_ = 0;
+  Cycles next_refresh_;
+  bool last_dma_write_ = false;
+  SdramCounters counters_;
+};
+
+}  // namespace finback::memory
