@@ -51,12 +51,11 @@ Cycles issue_cycles(const CyclesByCause& causes) {
 Json frames(const RunResult& result) {
   Json list = Json::array();
   for (const Frame& frame : result.frames) {
-    list.push_back(
-        {{"number", frame.number},
-         {"grabbed_cycle", frame.grabbed},
-         {"published_cycle", frame.published},
-         {"latency_seconds",
-          static_cast<double>(frame.published - frame.grabbed) / result.core_hertz}});
+    list.push_back({{"number", frame.number},
+                    {"grabbed_cycle", frame.grabbed},
+                    {"published_cycle", frame.published},
+                    {"latency_seconds",
+                     static_cast<double>(frame.published - frame.grabbed) / result.core_hertz}});
   }
   return list;
 }

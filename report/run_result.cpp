@@ -22,10 +22,10 @@ std::string verdict(const RunResult& result) {
   std::string failures;
   for (const Target& target : result.targets) {
     if (!target.passed()) {
-      failures += fmt::format("{}{} is {:.2f}{}, wanted {} {:g}", failures.empty() ? "" : "; ",
-                              target.name, target.value,
-                              target.unit.empty() ? "" : " " + target.unit, target.comparison,
-                              target.limit);
+      failures +=
+          fmt::format("{}{} is {:.2f}{}, wanted {} {:g}", failures.empty() ? "" : "; ", target.name,
+                      target.value, target.unit.empty() ? "" : " " + target.unit, target.comparison,
+                      target.limit);
     }
   }
   return failures.empty() ? "pass" : "fail: " + failures;

@@ -115,12 +115,12 @@ struct Target {
 // A disparity map against the scene's ground truth, in percent.
 struct Accuracy {
   std::uint32_t frame = 0;
-  double delta = 1.0;     // pixels; further from the truth is wrong
-  int border = 0;         // pixels left out on every side
-  int compared = 0;       // pixels with known truth inside the border
-  double density = 0;     // share of these that are valid in the map
-  double bad = 0;         // share of these that are invalid or wrong
-  double wrong = 0;       // share of the valid ones that are wrong
+  double delta = 1.0;  // pixels; further from the truth is wrong
+  int border = 0;      // pixels left out on every side
+  int compared = 0;    // pixels with known truth inside the border
+  double density = 0;  // share of these that are valid in the map
+  double bad = 0;      // share of these that are invalid or wrong
+  double wrong = 0;    // share of the valid ones that are wrong
 };
 
 struct RunResult {

@@ -68,8 +68,9 @@ void write_head(Page& page, const RunResult& r) {
     const Accuracy& a = *r.accuracy;
     page.line("  {:<20} {:>8.2f} %     of {} pixels with known truth, {} px border left out",
               "bad_pixels", a.bad, a.compared, a.border);
-    page.line("  {:<20} {:>8.2f} %     of the {:.1f} % that got a disparity (off by more than {:g})",
-              "wrong_pixels", a.wrong, a.density, a.delta);
+    page.line(
+        "  {:<20} {:>8.2f} %     of the {:.1f} % that got a disparity (off by more than {:g})",
+        "wrong_pixels", a.wrong, a.density, a.delta);
   }
 }
 
@@ -102,9 +103,8 @@ void write_cores(Page& page, const RunResult& r) {
   };
   row("cycles", [](const Core& c) { return fmt::format("{}", c.cycles); });
   row("instructions", [](const Core& c) { return fmt::format("{}", c.instructions); });
-  row("instructions/cycle", [](const Core& c) {
-    return fmt::format("{:.3f}", percent(c.instructions, c.cycles) / 100);
-  });
+  row("instructions/cycle",
+      [](const Core& c) { return fmt::format("{:.3f}", percent(c.instructions, c.cycles) / 100); });
   const std::size_t causes = r.cores.empty() ? 0 : r.cores.front().causes.size();
   for (std::size_t cause = 0; cause < causes; ++cause) {
     row(r.cores.front().causes[cause].first, [&](const Core& c) {
@@ -135,9 +135,10 @@ void write_functions(Page& page, const RunResult& r) {
     return a->exclusive > b->exclusive;
   });
   const std::size_t shown = std::min(hottest.size(), kFunctionsShown);
-  page.title(fmt::format("Functions ({} hottest of {})        core       calls       exclusive"
-                         "        inclusive  issue",
-                         shown, hottest.size()));
+  page.title(
+      fmt::format("Functions ({} hottest of {})        core       calls       exclusive"
+                  "        inclusive  issue",
+                  shown, hottest.size()));
   for (std::size_t i = 0; i < shown; ++i) {
     const Function& f = *hottest[i];
     const Cycles issue = f.causes.empty() ? 0 : f.causes.front().second;
@@ -170,13 +171,15 @@ void write_objects(Page& page, const RunResult& r) {
   if (shown == 0) {
     return;
   }
-  page.title(fmt::format("Objects ({} of {}, by stalls)        owner    region          size"
-                         "   bytes/frame  stalls/frame",
-                         shown, rows.size()));
+  page.title(
+      fmt::format("Objects ({} of {}, by stalls)        owner    region          size"
+                  "   bytes/frame  stalls/frame",
+                  shown, rows.size()));
   for (std::size_t i = 0; i < shown; ++i) {
     const Row& row = rows[i];
     page.line("  {:<32} {:<8} {:<11} {:>9} {:>12} {:>13.0f}", row.object->name.substr(0, 32),
-              row.object->owner, row.object->region, bytes_text(static_cast<double>(row.object->size)),
+              row.object->owner, row.object->region,
+              bytes_text(static_cast<double>(row.object->size)),
               bytes_text(per_frame(row.bytes, r)), per_frame(row.stalls, r));
   }
 }
