@@ -1,0 +1,267 @@
+#include <algorithm>
+
+#include <isa_sim/core/block_builder.hpp>
+#include <isa_sim/isa/syntax.hpp>
+
+namespace finback::core {
+
+using isa::Flow;
+using isa::Instruction;
+using isa::MemoryUse;
+using isa::Operation;
+
+namespace {
+
+// Long enough for any loop worth the name, short enough that interrupts and other actors are not
+// kept waiting.
+constexpr std::uint32_t kMaxPackets = 64;
+constexpr Address kFetchBytes = 8;  // hardware.md 1.1: 64 bits from 8-byte boundaries
+
+const Instruction& info_of(const ir::PlacedInstruction& instruction) {
+  return isa::instruction_table()[static_cast<std::size_t>(instruction.instruction)];
+}
+
+bool is_nop(const Instruction& info) {
+  return info.energy == isa::Energy::nop &&
+         (info.slot == isa::Slot::nop || info.slot == isa::Slot::dsp);
+}
+
+// In a packet everybody reads before anybody writes. Run one after the other that holds in this
+// order: stores read data registers, the DSP slot reads and writes them, loads only write them (and
+// no two slots write the same).
+int order_in_packet(const Instruction& info) {
+  switch (info.memory) {
+    case MemoryUse::store:
+      return 0;
+    case MemoryUse::load:
+    case MemoryUse::load_store:
+      return 2;
+    case MemoryUse::none:
+      return 1;
+  }
+  return 1;
+}
+
+Flow flow_of(const ir::PlacedPacket& packet) { return info_of(packet.slots[0]).flow; }
+
+bool ends_block(Flow flow) { return flow != Flow::none && flow != Flow::loop_setup; }
+
+const Operation* leave_block(isa::ExecutionState&, const Operation*) { return nullptr; }
+
+}  // namespace
+
+isa::MemoryWindow* no_window() {
+  static isa::MemoryWindow window;
+  return &window;
+}
+
+struct BlockBuilder::Draft {
+  std::unique_ptr<Block> block;
+  std::vector<Operation> operations;
+  PipelineState state;
+  Address fetched_to = 0;  // end of the last line fetched
+};
+
+BlockBuilder::BlockBuilder(const ir::CoreImage& image, const CoreParameters& parameters,
+                           const memory::MemorySystem& memory, isa::Execute conflict)
+    : image_(image),
+      parameters_(parameters),
+      memory_(memory),
+      conflict_(conflict),
+      pipeline_(parameters) {
+  packet_index_.reserve(image.packets.size());
+  for (std::uint32_t index = 0; index < image.packets.size(); ++index) {
+    const ir::PlacedPacket& packet = image.packets[index];
+    packet_index_.emplace(packet.address, index);
+    if (flow_of(packet) == Flow::loop_setup) {
+      loop_bottoms_.insert(static_cast<Address>(packet.slots[0].operand[1]));
+    }
+  }
+}
+
+std::uint32_t BlockBuilder::packet_at(Address address) const {
+  const auto found = packet_index_.find(address);
+  return found == packet_index_.end() ? kNoPacket : found->second;
+}
+
+std::unique_ptr<Block> BlockBuilder::build(Address address, std::uint32_t state) {
+  const std::uint32_t first = packet_at(address);
+  if (first == kNoPacket) {
+    return nullptr;
+  }
+  Draft draft{std::make_unique<Block>(), {}, states_.state(state), 0};
+  Block& block = *draft.block;
+  block.address = address;
+  block.first_packet = first;
+  block.function = image_.packets[first].function;
+  const ir::PlacedPacket* last = nullptr;
+  for (std::uint32_t index = first; index < image_.packets.size() && index < first + kMaxPackets;
+       ++index) {
+    const ir::PlacedPacket& packet = image_.packets[index];
+    if (last != nullptr &&
+        (packet.function != block.function || packet.address != last->address + last->length)) {
+      break;
+    }
+    add_packet(draft, index);
+    last = &packet;
+    if (ends_block(flow_of(packet)) || loop_bottoms_.contains(packet.address)) {
+      break;
+    }
+  }
+  block.last_packet_address = last->address;
+  block.end = last->address + last->length;
+  block.may_end_loop = loop_bottoms_.contains(last->address);
+  block.exit_state = states_.number_of(draft.state);
+  set_exit(block, *last);
+  Operation leave;
+  leave.execute = leave_block;
+  draft.operations.push_back(leave);
+  block.operations = std::make_unique<Operation[]>(draft.operations.size());
+  std::ranges::copy(draft.operations, block.operations.get());
+  return std::move(draft.block);
+}
+
+void BlockBuilder::add_packet(Draft& draft, std::uint32_t index) const {
+  const ir::PlacedPacket& packet = image_.packets[index];
+  Block& block = *draft.block;
+  ++block.packet_count;
+  add_fetch(draft, packet, index);
+  const PacketCost cost = pipeline_.issue(packet, draft.state);
+  if (cost.stall > 0) {
+    block.costs.push_back({index, cost.stall_cause, static_cast<std::uint32_t>(cost.stall)});
+  }
+  block.costs.push_back({index, Cause::issue, 1});
+  if (cost.issue > 1) {
+    block.costs.push_back({index, Cause::multi_cycle, static_cast<std::uint32_t>(cost.issue - 1)});
+  }
+  block.cycles += cost.stall;
+  add_operations(draft, packet, index, block.cycles);
+  block.cycles += cost.issue;
+}
+
+void BlockBuilder::add_fetch(Draft& draft, const ir::PlacedPacket& packet,
+                             std::uint32_t index) const {
+  const memory::Region* region = memory_.map().find(packet.address);
+  if (region == nullptr || region->level == memory::Level::l1) {
+    return;
+  }
+  const Address line = packet.address & ~(kFetchBytes - 1);
+  const Address from = std::max(line, draft.fetched_to);
+  const Address to = (packet.address + packet.length + kFetchBytes - 1) & ~(kFetchBytes - 1);
+  if (to <= from) {
+    return;
+  }
+  const std::uint32_t lines = (to - from) / kFetchBytes;
+  const Cycles cycles = lines * memory_.fetch_line_cost(region->level);
+  draft.fetched_to = to;
+  draft.block->fetched_lines += lines;
+  draft.block->cycles += cycles;
+  draft.block->costs.push_back({index, Cause::fetch, static_cast<std::uint32_t>(cycles)});
+}
+
+void BlockBuilder::add_operations(Draft& draft, const ir::PlacedPacket& packet, std::uint32_t index,
+                                  Cycles cycle) const {
+  Block& block = *draft.block;
+  std::array<const ir::PlacedInstruction*, 3> order{};
+  std::size_t count = 0;
+  int accesses = 0;
+  for (std::size_t slot = 0; slot < packet.count; ++slot) {
+    const Instruction& info = info_of(packet.slots[slot]);
+    ++block.by_energy_class[static_cast<std::size_t>(info.energy)];
+    if (packet.count > 1 && is_nop(info)) {
+      continue;
+    }
+    ++block.instructions;
+    accesses += info.memory != MemoryUse::none;
+    order[count++] = &packet.slots[slot];
+  }
+  std::stable_sort(order.begin(), order.begin() + count, [](const auto* left, const auto* right) {
+    return order_in_packet(info_of(*left)) < order_in_packet(info_of(*right));
+  });
+  if (accesses > 1) {
+    add_conflict_check(draft, packet, index, cycle);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    Operation operation;
+    operation.execute = info_of(*order[i]).execute;
+    operation.operand = order[i]->operand;
+    operation.window = no_window();
+    operation.site = index;
+    operation.cycle = static_cast<std::uint16_t>(cycle);
+    operation.length = packet.length;
+    operation.address = packet.address;
+    draft.operations.push_back(operation);
+  }
+}
+
+void BlockBuilder::add_conflict_check(Draft& draft, const ir::PlacedPacket& packet,
+                                      std::uint32_t index, Cycles cycle) const {
+  Operation check;
+  check.execute = conflict_;
+  check.site = index;
+  check.cycle = static_cast<std::uint16_t>(cycle);
+  check.address = packet.address;
+  std::size_t filled = 0;
+  for (std::size_t slot = 0; slot < packet.count; ++slot) {
+    const ir::PlacedInstruction& instruction = packet.slots[slot];
+    if (info_of(instruction).memory == MemoryUse::none) {
+      continue;
+    }
+    const isa::OperandRoles& roles = isa::roles_of(instruction.instruction);
+    for (int i = 0; i < roles.count; ++i) {
+      if (roles[i].address_stage) {
+        check.operand[filled] = instruction.operand[static_cast<std::size_t>(i)];
+        const bool offset = i + 1 < roles.count && !isa::is_register(roles[i + 1].kind);
+        check.operand[filled + 1] =
+            offset ? instruction.operand[static_cast<std::size_t>(i + 1)] : 0;
+        filled += 2;
+        break;
+      }
+    }
+  }
+  if (filled == 4) {
+    draft.operations.push_back(check);
+  }
+}
+
+void BlockBuilder::set_exit(Block& block, const ir::PlacedPacket& last) const {
+  const auto taken = static_cast<Cycles>(std::int64_t{parameters_.branch_taken}) - 1;
+  const auto mispredicted = static_cast<Cycles>(std::int64_t{parameters_.branch_mispredicted}) - 1;
+  switch (flow_of(last)) {
+    case Flow::none:
+    case Flow::loop_setup:
+    case Flow::idle:
+    case Flow::event:
+      break;
+    case Flow::jump:
+    case Flow::jump_indirect:
+      block.ends = BlockEnd::jump;
+      block.taken_extra = taken;
+      break;
+    case Flow::call:
+    case Flow::call_indirect:
+      block.ends = BlockEnd::call;
+      block.taken_extra = taken;
+      break;
+    case Flow::ret:
+      block.ends = BlockEnd::ret;
+      block.taken_extra = taken;
+      break;
+    case Flow::ret_event:
+      block.ends = BlockEnd::ret_event;
+      block.taken_extra = taken;
+      break;
+    case Flow::branch:
+      block.ends = BlockEnd::branch;
+      block.taken_extra = mispredicted;
+      block.taken_cause = Cause::branch_mispredict;
+      break;
+    case Flow::branch_predicted:
+      block.ends = BlockEnd::branch;
+      block.taken_extra = taken;
+      block.fall_extra = mispredicted;
+      break;
+  }
+}
+
+}  // namespace finback::core

@@ -1,0 +1,57 @@
+// Decodes packets into blocks: operations in an order that respects parallel issue, their time,
+// their exits.
+#pragma once
+
+#include <memory>
+#include <set>
+#include <unordered_map>
+
+#include <isa_sim/core/block.hpp>
+#include <isa_sim/core/pipeline.hpp>
+#include <isa_sim/ir/image.hpp>
+#include <memory_model/memory_system.hpp>
+
+namespace finback::core {
+
+class BlockBuilder {
+ public:
+  // `image` and the rest must outlive the builder. `conflict` is the Execute of the operation that
+  // checks two accesses of one packet for a sub-bank conflict; its operands are {register, offset,
+  // register, offset}.
+  BlockBuilder(const ir::CoreImage& image, const CoreParameters& parameters,
+               const memory::MemorySystem& memory, isa::Execute conflict);
+
+  // The block at `address`, entered in pipeline state `state`; nullptr when no packet starts there.
+  [[nodiscard]] std::unique_ptr<Block> build(Address address, std::uint32_t state);
+
+  // Makes `address` the end of every block that reaches it. False when it was one already.
+  bool add_loop_bottom(Address address) { return loop_bottoms_.insert(address).second; }
+
+  // Where packet `address` stands in the image; kNoPacket when none does.
+  static constexpr std::uint32_t kNoPacket = ~std::uint32_t{0};
+  [[nodiscard]] std::uint32_t packet_at(Address address) const;
+
+ private:
+  struct Draft;
+  void add_packet(Draft& draft, std::uint32_t index) const;
+  void add_operations(Draft& draft, const ir::PlacedPacket& packet, std::uint32_t index,
+                      Cycles cycle) const;
+  void add_conflict_check(Draft& draft, const ir::PlacedPacket& packet, std::uint32_t index,
+                          Cycles cycle) const;
+  void add_fetch(Draft& draft, const ir::PlacedPacket& packet, std::uint32_t index) const;
+  void set_exit(Block& block, const ir::PlacedPacket& last) const;
+
+  const ir::CoreImage& image_;
+  const CoreParameters& parameters_;
+  const memory::MemorySystem& memory_;
+  isa::Execute conflict_;
+  Pipeline pipeline_;
+  PipelineStates states_;
+  std::set<Address> loop_bottoms_;
+  std::unordered_map<Address, std::uint32_t> packet_index_;
+};
+
+// A window that no access hits: where every access site starts.
+[[nodiscard]] isa::MemoryWindow* no_window();
+
+}  // namespace finback::core

@@ -1,0 +1,77 @@
+// The static timing of a ten-stage, in-order, interlocked pipeline: what a packet costs, given what
+// went before it.
+//
+// Models: one packet a cycle, instructions that hold the pipeline, and the interlocks of
+// hardware.md 1.5 (load or move to a pointer, ALU result needed in EX1). Memory, branches and fetch
+// are costed elsewhere. Does not model: the store buffer's forwarding, stalls on RETS and on loop
+// registers read back.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include <isa_sim/core/core_parameters.hpp>
+#include <isa_sim/core/profile.hpp>
+#include <isa_sim/ir/image.hpp>
+#include <isa_sim/isa/instruction.hpp>
+
+namespace finback::core {
+
+// Results on their way: for each register, how many more cycles until it can be used in stage AC,
+// and in EX1.
+class PipelineState {
+ public:
+  struct Wait {
+    std::uint8_t address_stage = 0;
+    std::uint8_t ex1 = 0;
+    auto operator<=>(const Wait&) const = default;
+  };
+
+  [[nodiscard]] const Wait& wait(int reg) const { return waits_[static_cast<std::size_t>(reg)]; }
+  void set(int reg, Wait wait) { waits_[static_cast<std::size_t>(reg)] = wait; }
+  void advance(Cycles cycles);
+  [[nodiscard]] bool empty() const { return *this == PipelineState{}; }
+  auto operator<=>(const PipelineState&) const = default;
+
+ private:
+  std::array<Wait, isa::L3 + 1> waits_{};
+};
+
+// What a packet costs before its memory accesses: its issue and the stall before it.
+struct PacketCost {
+  Cycles issue = 1;
+  Cycles stall = 0;
+  Cause stall_cause = Cause::hazard_address;
+};
+
+class Pipeline {
+ public:
+  explicit Pipeline(const CoreParameters& parameters) : parameters_(parameters) {}
+
+  // The cost of `packet` when it enters with `state`; `state` becomes what the next packet meets.
+  PacketCost issue(const ir::PlacedPacket& packet, PipelineState& state) const;
+
+  [[nodiscard]] Cycles issue_cycles(const ir::PlacedInstruction& instruction) const;
+
+ private:
+  void note_results(const ir::PlacedInstruction& instruction, PipelineState& state) const;
+
+  const CoreParameters& parameters_;
+};
+
+// Gives equal pipeline states one small number, so that a block is known by (address, number). 0 is
+// the empty state.
+class PipelineStates {
+ public:
+  PipelineStates() { static_cast<void>(number_of(PipelineState{})); }
+  [[nodiscard]] std::uint32_t number_of(const PipelineState& state);
+  [[nodiscard]] const PipelineState& state(std::uint32_t number) const { return *states_[number]; }
+
+ private:
+  std::map<PipelineState, std::uint32_t> numbers_;
+  std::vector<const PipelineState*> states_;
+};
+
+}  // namespace finback::core
