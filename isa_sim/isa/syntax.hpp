@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <isa_sim/isa/instruction.hpp>
@@ -74,6 +75,8 @@ class Syntax {
   // What is wrong with the table, one line each; empty when every entry prints sampled operands to
   // text that is read back as the same and no two entries have the same syntax.
   [[nodiscard]] std::vector<std::string> check_table() const;
+  // Pairs of entries that no text tells apart.
+  [[nodiscard]] std::span<const std::pair<int, int>> same_syntax() const;
 
  private:
   struct Compiled;

@@ -1,0 +1,215 @@
+#include <array>
+#include <fmt/format.h>
+#include <limits>
+
+#include <common/error.hpp>
+#include <isa_sim/isa/token.hpp>
+
+namespace finback::isa {
+namespace {
+
+// Longest first: the first that fits is taken.
+constexpr std::array<std::string_view, 26> kSigns = {
+    ">>>=", ">>>", "<<<", "<<=", ">>=", "+|+", "+|-", "-|+", "-|-", "++", "--", "+=", "-=",
+    "*=",   "&=",  "|=",  "^=",  "<<",  ">>",  "==",  "<=",  "||",  "!=", ">=", "&&", "=>"};
+constexpr std::string_view kSingleSigns = "()[]{},;:+-*/&|^~!<>=@%";
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool starts_name(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '.' || c == '$';
+}
+bool continues_name(char c) { return starts_name(c) || is_digit(c); }
+
+// The value of a digit in any base up to 16, or 99.
+int digit_value(char c) {
+  if (is_digit(c)) {
+    return c - '0';
+  }
+  const char lower = static_cast<char>(c | 0x20);
+  return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : 99;
+}
+
+class Tokenizer {
+ public:
+  Tokenizer(std::string_view text, const std::string& file) : text_(text), file_(file) {
+    tokens_.reserve(text.size() / 3);
+  }
+
+  std::vector<Token> run() {
+    while (skip_blanks()) {
+      Token token;
+      token.first_in_line = line_ != last_token_line_;
+      token.line = last_token_line_ = line_;
+      token.column = column();
+      const std::size_t start = position_;
+      const char c = text_[position_];
+      if (starts_name(c)) {
+        read_name(token);
+      } else if (is_digit(c)) {
+        read_number(token);
+      } else if (c == '"') {
+        read_text(token);
+      } else if (c == '\'') {
+        read_character(token);
+      } else {
+        read_sign();
+      }
+      if (token.kind != TokenKind::text) {
+        token.text = text_.substr(start, position_ - start);
+      }
+      tokens_.push_back(token);
+    }
+    return std::move(tokens_);
+  }
+
+ private:
+  [[nodiscard]] int column() const { return static_cast<int>(position_ - line_start_) + 1; }
+  [[nodiscard]] char at(std::size_t position) const {
+    return position < text_.size() ? text_[position] : '\0';
+  }
+  [[noreturn]] void fail(const std::string& message) const {
+    throw InputError(SourcePlace{file_, line_, column()}, message);
+  }
+
+  void new_line() {
+    ++line_;
+    line_start_ = position_ + 1;
+  }
+
+  void skip_to_end_of_line() { position_ = std::min(text_.find('\n', position_), text_.size()); }
+
+  void skip_block_comment() {
+    const std::size_t end = text_.find("*/", position_ + 2);
+    if (end == std::string_view::npos) {
+      fail("this comment is never closed: add */");
+    }
+    for (; position_ < end; ++position_) {
+      if (text_[position_] == '\n') {
+        new_line();
+      }
+    }
+    position_ = end + 2;
+  }
+
+  // Goes to the next token; false at the end of the text.
+  bool skip_blanks() {
+    while (position_ < text_.size()) {
+      const char c = text_[position_];
+      if (c == '\n') {
+        new_line();
+        ++position_;
+      } else if (c == ' ' || c == '\t' || c == '\r' || c == '\f') {
+        ++position_;
+      } else if (c == '/' && at(position_ + 1) == '/') {
+        skip_to_end_of_line();
+      } else if (c == '/' && at(position_ + 1) == '*') {
+        skip_block_comment();
+      } else if (c == '#' && line_ != last_token_line_) {
+        skip_to_end_of_line();
+      } else {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void read_name(Token& token) {
+    token.kind = TokenKind::name;
+    while (position_ < text_.size() && continues_name(text_[position_])) {
+      ++position_;
+    }
+  }
+
+  void read_number(Token& token) {
+    token.kind = TokenKind::number;
+    int base = 10;
+    const char mark = static_cast<char>(at(position_ + 1) | 0x20);
+    if (text_[position_] == '0' && (mark == 'x' || mark == 'b')) {
+      base = mark == 'x' ? 16 : 2;
+      position_ += 2;
+      if (digit_value(at(position_)) >= base) {
+        fail("this number has no digits");
+      }
+    } else if (text_[position_] == '0' && is_digit(at(position_ + 1))) {
+      base = 8;
+    }
+    std::int64_t value = 0;
+    for (; position_ < text_.size() && continues_name(text_[position_]); ++position_) {
+      const int digit = digit_value(text_[position_]);
+      if (digit >= base) {
+        fail(fmt::format("'{}' is no digit of a base {} number", text_[position_], base));
+      }
+      if (value > (std::numeric_limits<std::int64_t>::max() - digit) / base) {
+        fail("this number does not fit into 64 bits");
+      }
+      value = value * base + digit;
+    }
+    token.number = value;
+  }
+
+  void read_text(Token& token) {
+    token.kind = TokenKind::text;
+    std::size_t end = position_ + 1;
+    while (at(end) != '"') {
+      if (end >= text_.size() || text_[end] == '\n') {
+        fail("this string is never closed: add \"");
+      }
+      end += text_[end] == '\\' ? 2 : 1;
+    }
+    token.text = text_.substr(position_ + 1, end - position_ - 1);
+    position_ = end + 1;
+  }
+
+  void read_character(Token& token) {
+    token.kind = TokenKind::number;
+    std::size_t end = position_ + 1;
+    char value = at(end);
+    if (value == '\\') {
+      static constexpr std::string_view kLetters = "ntr0\\'\"";
+      static constexpr std::string_view kValues{"\n\t\r\0\\'\"", 7};
+      const std::size_t letter = kLetters.find(at(++end));
+      if (letter == std::string_view::npos) {
+        fail("unknown escape in a character: write \\n \\t \\r \\0 \\\\ \\' or the number");
+      }
+      value = kValues[letter];
+    }
+    if (at(end + 1) != '\'') {
+      fail("a character stands between two quotes, as in 'a'");
+    }
+    token.number = static_cast<unsigned char>(value);
+    position_ = end + 2;
+  }
+
+  void read_sign() {
+    for (const std::string_view sign : kSigns) {
+      if (text_.substr(position_, sign.size()) == sign) {
+        position_ += sign.size();
+        return;
+      }
+    }
+    const char c = text_[position_];
+    if (kSingleSigns.find(c) == std::string_view::npos) {
+      const bool printable = c > ' ' && c < '\x7f';
+      fail(printable ? fmt::format("'{}' cannot stand here", c)
+                     : fmt::format("byte 0x{:02x} cannot stand here: BIR is plain ASCII text",
+                                   static_cast<unsigned char>(c)));
+    }
+    ++position_;
+  }
+
+  std::string_view text_;
+  const std::string& file_;
+  std::vector<Token> tokens_;
+  std::size_t position_ = 0;
+  std::size_t line_start_ = 0;
+  int line_ = 1;
+  int last_token_line_ = 0;
+};
+
+}  // namespace
+
+std::vector<Token> tokenize(std::string_view text, const std::string& file) {
+  return Tokenizer(text, file).run();
+}
+
+}  // namespace finback::isa
