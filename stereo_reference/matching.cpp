@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <bit>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -95,25 +94,24 @@ class RecursiveMatcher {
         right_(right),
         parameters_(parameters),
         disparities_(parameters.disparity_max - parameters.disparity_min + 1),
-        scores_(static_cast<std::size_t>(left.width() * disparities_)),
-        update_(static_cast<std::size_t>(disparities_)),
-        modular_(static_cast<std::size_t>(parameters.window * disparities_)) {}
+        scores_(disparities_, left.width()),
+        update_(disparities_, 1),
+        modular_(disparities_, parameters.window) {}
 
   // Takes image row `row` into the windows and drops the one `window` rows above it.
   void enter_row(int row) {
-    std::fill(update_.begin(), update_.end(), 0);
-    std::fill(modular_.begin(), modular_.end(), 0);
+    update_ = scenes::Image<int>(disparities_, 1);
+    modular_ = scenes::Image<int>(disparities_, parameters_.window);
     for (int column = 0; column < left_.width(); ++column) {
+      const int centre = column - parameters_.half_window();
       for (int k = 0; k < disparities_; ++k) {
         const int d = parameters_.disparity_min + k;
-        int& oldest =
-            modular_[static_cast<std::size_t>((column % parameters_.window) * disparities_ + k)];
+        int& oldest = modular_.at(k, column % parameters_.window);
         const int newest = distance(column, row, d) - distance(column, row - parameters_.window, d);
-        update_[static_cast<std::size_t>(k)] += newest - oldest;
+        update_.at(k, 0) += newest - oldest;
         oldest = newest;
-        const int centre = column - parameters_.half_window();
         if (centre >= 0) {
-          score(centre, k) += update_[static_cast<std::size_t>(k)];
+          scores_.at(k, centre) += update_.at(k, 0);
         }
       }
     }
@@ -130,8 +128,9 @@ class RecursiveMatcher {
         if (!is_candidate(x, d, width, parameters_.half_window())) {
           continue;
         }
-        keep_smaller(score(x, k), d, best_left[static_cast<std::size_t>(x)], maps.left.at(x, y));
-        keep_smaller(score(x, k), d, best_right[static_cast<std::size_t>(x - d)],
+        keep_smaller(scores_.at(k, x), d, best_left[static_cast<std::size_t>(x)],
+                     maps.left.at(x, y));
+        keep_smaller(scores_.at(k, x), d, best_right[static_cast<std::size_t>(x - d)],
                      maps.right.at(x - d, y));
       }
     }
@@ -153,15 +152,14 @@ class RecursiveMatcher {
                                   : hamming_distance(left_.at(x, y), right_.at(x - disparity, y));
   }
 
-  int& score(int x, int k) { return scores_[static_cast<std::size_t>(x * disparities_ + k)]; }
-
   const ByteImage& left_;
   const ByteImage& right_;
   const MatchParameters& parameters_;
   int disparities_;
-  std::vector<int> scores_;   // S: [x][k], k = d - disparity_min
-  std::vector<int> update_;   // U: [k]
-  std::vector<int> modular_;  // M: [x mod window][k]
+  // Column k stands for disparity disparity_min + k.
+  scenes::Image<int> scores_;   // S, a row for each x
+  scenes::Image<int> update_;   // U, one row
+  scenes::Image<int> modular_;  // M, a row for each x mod window
 };
 
 }  // namespace

@@ -14,7 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
-using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -36,7 +35,7 @@ class LumaFiles : public testing::Test {
 
   // A binary PGM or PPM: the simplest files that OpenCV reads.
   fs::path write_pnm(const std::string& name, int width, int height, const std::string& bytes) {
-    const bool colour = bytes.size() == static_cast<std::size_t>(3 * width * height);
+    const bool colour = static_cast<int>(bytes.size()) == 3 * width * height;
     return write(name, std::string(colour ? "P6 " : "P5 ") + std::to_string(width) + " " +
                            std::to_string(height) + " 255\n" + bytes);
   }
@@ -54,7 +53,7 @@ std::string error_of(const std::function<void()>& action) {
 }
 
 TEST_F(LumaFiles, VgaGreyStaysAsItIs) {
-  std::string bytes(640 * 480, '\0');
+  std::string bytes(std::size_t{640} * 480, '\0');
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     bytes[i] = static_cast<char>(i * 2654435761U >> 13U);
   }
