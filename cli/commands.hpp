@@ -1,0 +1,26 @@
+// The subcommands of `finback`. Each adds itself to the command line; what it does is a function
+// that main runs once the arguments are read.
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+namespace finback::cli {
+
+// What the program tells its caller.
+enum ExitCode : int {
+  kFine = 0,
+  kUsage = 1,         // the command line cannot be read
+  kBadInput = 2,      // a file or a simulated program is wrong
+  kBudgetBroken = 3,  // a target is missed, and the caller asked for that
+  kInterrupted = 130,
+};
+
+using Action = std::function<int()>;
+
+// Set `action` when their subcommand is the one that was given.
+void add_run_command(CLI::App& app, Action& action);
+void add_machine_command(CLI::App& app, Action& action);
+
+}  // namespace finback::cli

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <system_error>
+
+#include <cli/run_firmware.hpp>
+#include <common/error.hpp>
+#include <common/file.hpp>
+#include <common/parameter.hpp>
+
+namespace finback::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kManifest = "firmware.toml";
+
+std::vector<std::string> installed_firmwares(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (fs::exists(entry.path() / kManifest)) {
+      names.push_back(entry.path().filename().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// The manifest or BIR file that `name` means.
+fs::path firmware_file(const std::string& name) {
+  std::error_code error;
+  if (fs::is_directory(name, error)) {
+    return fs::path(name) / kManifest;
+  }
+  const std::string extension = fs::path(name).extension().string();
+  if (extension == ".toml" || extension == ".bir" || name.find('/') != std::string::npos) {
+    return name;
+  }
+  const fs::path folder = share_folder() / "firmware";
+  const fs::path installed = folder / name / kManifest;
+  if (!fs::exists(installed, error)) {
+    const std::vector<std::string> known = installed_firmwares(folder);
+    const std::string near = nearest_name(name, known);
+    throw InputError(
+        fmt::format("firmware '{}' is not installed{}; known: {}; or give the path of "
+                    "a folder, a firmware.toml or a .bir file",
+                    name, near.empty() ? "" : fmt::format(", did you mean '{}'", near),
+                    fmt::join(known, ", ")));
+  }
+  return installed;
+}
+
+// Identifies a firmware by all BIR and TOML files of its folder, in the order of their names.
+std::string firmware_hash(const fs::path& file) {
+  if (file.filename() != kManifest) {
+    return report::content_hash(read_text_file(file));
+  }
+  std::vector<fs::path> parts;
+  for (const auto& entry : fs::directory_iterator(fs::absolute(file).parent_path())) {
+    const std::string extension = entry.path().extension().string();
+    if (entry.is_regular_file() && (extension == ".bir" || extension == ".toml")) {
+      parts.push_back(entry.path());
+    }
+  }
+  std::sort(parts.begin(), parts.end());
+  std::string all;
+  for (const fs::path& part : parts) {
+    all += part.filename().string() + '\n' + read_text_file(part);
+  }
+  return report::content_hash(all);
+}
+
+report::Ingredient placement_identity(const ir::Placement& placement) {
+  std::error_code error;
+  if (!fs::is_regular_file(placement.source, error)) {
+    return {"default", report::content_hash("")};
+  }
+  return {fs::path(placement.source).filename().string(),
+          report::content_hash(read_text_file(placement.source))};
+}
+
+}  // namespace
+
+LoadedFirmware find_firmware(const std::string& name, const std::optional<fs::path>& placement) {
+  const fs::path file = firmware_file(name);
+  LoadedFirmware loaded;
+  loaded.firmware = ir::load_firmware(file);
+  if (placement) {
+    loaded.firmware.placement = ir::load_placement(*placement);
+  }
+  loaded.identity = {loaded.firmware.units.name, firmware_hash(file)};
+  loaded.placement = placement_identity(loaded.firmware.placement);
+  return loaded;
+}
+
+}  // namespace finback::cli

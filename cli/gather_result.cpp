@@ -1,0 +1,260 @@
+#include <algorithm>
+#include <fmt/format.h>
+
+#include <cli/gather_result.hpp>
+#include <isa_sim/ir/linker.hpp>
+#include <isa_sim/isa/instruction.hpp>
+#include <memory_model/memory_system.hpp>
+#include <power_model/power_model.hpp>
+#include <stereo_reference/evaluation.hpp>
+
+namespace finback::cli {
+
+namespace {
+
+// What the camera was built for (stereo-system.md, "The device"): 20 frames a second at 2.3 W.
+constexpr double kTargetFramesPerSecond = 20;
+constexpr double kTargetWatts = 2.3;
+
+// Accuracy as in the thesis: off by more than one pixel is wrong, 8 border pixels do not count.
+constexpr double kAccuracyDelta = 1.0;
+constexpr int kAccuracyBorder = 8;
+
+// By isa::Energy.
+constexpr std::array<std::string_view, 6> kEnergyNames = {"nop",    "alu",     "mac",
+                                                          "access", "control", "idle"};
+
+std::string core_name(int core) { return name_of(static_cast<CoreId>(core)); }
+
+report::CyclesByCause by_cause(const core::CauseCycles& cycles) {
+  report::CyclesByCause causes;
+  for (std::size_t cause = 0; cause < cycles.size(); ++cause) {
+    causes.emplace_back(core::kCauseNames[cause], cycles[cause]);
+  }
+  return causes;
+}
+
+report::Core gather_core(int core, const core::CoreProfile& profile) {
+  report::Core result;
+  result.name = core_name(core);
+  result.started = profile.started;
+  result.cycles = profile.cycles;
+  result.instructions = profile.instructions;
+  result.packets = profile.packets;
+  result.causes = by_cause(profile.causes);
+  for (std::size_t energy = 0; energy < kEnergyNames.size(); ++energy) {
+    result.operations.emplace_back(kEnergyNames[energy], profile.by_energy_class[energy]);
+  }
+  return result;
+}
+
+void gather_functions(int core, const core::CoreProfile& profile, report::RunResult& result) {
+  for (const core::FunctionProfile& function : profile.functions) {
+    report::Function row;
+    row.core = core_name(core);
+    row.name = function.name;
+    row.calls = function.calls;
+    row.instructions = function.instructions;
+    row.inclusive = function.inclusive;
+    for (const Cycles cycles : function.exclusive) {
+      row.exclusive += cycles;
+    }
+    row.causes = by_cause(function.exclusive);
+    result.functions.push_back(std::move(row));
+  }
+}
+
+void gather_stages(const std::vector<ir::Stage>& stages, report::RunResult& result) {
+  const double frames = static_cast<double>(std::max<std::size_t>(1, result.frames.size()));
+  for (const ir::Stage& stage : stages) {
+    report::Stage row{stage.name, std::string(ir::owner_name(stage.core)), stage.function, 0, 0};
+    for (const report::Function& function : result.functions) {
+      if (function.core == row.core && function.name == row.function) {
+        row.cycles = function.inclusive;
+      }
+    }
+    row.cycles_per_frame = static_cast<double>(row.cycles) / frames;
+    result.stages.push_back(std::move(row));
+  }
+}
+
+void gather_traffic(const memory::MemorySystem& memory, report::RunResult& result) {
+  for (std::size_t level = 0; level < memory::kLevelNames.size(); ++level) {
+    for (std::size_t initiator = 0; initiator < memory::kInitiatorNames.size(); ++initiator) {
+      const auto bytes = [&](memory::Direction direction) {
+        return memory
+            .level_traffic(static_cast<memory::Level>(level),
+                           static_cast<memory::Initiator>(initiator), direction)
+            .bytes;
+      };
+      result.traffic.push_back({std::string(memory::kLevelNames[level]),
+                                std::string(memory::kInitiatorNames[initiator]),
+                                bytes(memory::Direction::read), bytes(memory::Direction::write)});
+    }
+  }
+}
+
+void gather_objects(const memory::MemorySystem& memory, report::RunResult& result) {
+  for (const memory::ObjectTraffic& object : memory.objects()) {
+    report::Object row;
+    row.name = object.name;
+    row.owner = object.owner;
+    row.region = object.region;
+    row.level = memory::kLevelNames[static_cast<std::size_t>(object.level)];
+    row.size = object.size;
+    for (std::size_t initiator = 0; initiator < object.traffic.size(); ++initiator) {
+      const auto& [read, write] = object.traffic[initiator];
+      if (read.accesses + write.accesses > 0) {
+        row.accesses.push_back({std::string(memory::kInitiatorNames[initiator]), read.accesses,
+                                write.accesses, read.bytes, write.bytes,
+                                read.stall_cycles + write.stall_cycles});
+      }
+    }
+    result.objects.push_back(std::move(row));
+  }
+}
+
+void gather_regions(const ir::Image& image, const memory::MemoryMap& map,
+                    report::RunResult& result) {
+  for (const ir::RegionUse& use : ir::link_report(image, map)) {
+    const memory::Region* region = map.find(std::max(use.core, 0), use.region);
+    result.regions.push_back(
+        {use.core < 0 ? "" : core_name(use.core), use.region,
+         std::string(memory::kLevelNames[static_cast<std::size_t>(region->level)]), use.used,
+         use.size});
+  }
+}
+
+// Every access to SDRAM moves at most 32 bits: one transfer of the external bus. The cameras' pairs
+// come as 32-bit words.
+std::uint64_t external_beats(const memory::MemorySystem& memory) {
+  std::uint64_t beats = 0;
+  for (int initiator = 0; initiator < memory::kInitiatorCount; ++initiator) {
+    for (const memory::Direction direction : {memory::Direction::read, memory::Direction::write}) {
+      const memory::Traffic traffic = memory.level_traffic(
+          memory::Level::l3, static_cast<memory::Initiator>(initiator), direction);
+      beats += static_cast<memory::Initiator>(initiator) == memory::Initiator::host
+                   ? traffic.bytes / 4
+                   : traffic.accesses;
+    }
+  }
+  return beats;
+}
+
+power::CoreActivity core_activity(const core::CoreProfile& profile, Cycles end) {
+  const auto operations = [&](isa::Energy energy) {
+    return profile.by_energy_class[static_cast<std::size_t>(energy)];
+  };
+  const Cycles asleep = profile.causes[static_cast<std::size_t>(core::Cause::idle)];
+  return {.cycles = end,
+          .idle_cycles = asleep + (end - std::min(end, profile.cycles)),  // before it was started
+          .alu_operations = operations(isa::Energy::alu),
+          .mac_operations = operations(isa::Energy::mac),
+          .access_operations = operations(isa::Energy::access)};
+}
+
+std::optional<report::Accuracy> gather_accuracy(const scenes::FloatImage& truth,
+                                                const std::vector<machine::PublishedMap>& maps) {
+  if (maps.empty() || static_cast<int>(maps.back().width) != truth.width() ||
+      static_cast<int>(maps.back().height) != truth.height()) {
+    return std::nullopt;
+  }
+  const machine::PublishedMap& last = maps.back();
+  scenes::ByteImage map(truth.width(), truth.height());
+  std::copy(last.bytes.begin(), last.bytes.end(), map.data());
+  const stereo_reference::MapQuality quality = stereo_reference::evaluate(
+      map, truth, stereo_reference::inner_region(truth.width(), truth.height(), kAccuracyBorder),
+      kAccuracyDelta);
+  report::Accuracy accuracy;
+  accuracy.frame = last.frame_number;
+  accuracy.delta = kAccuracyDelta;
+  accuracy.border = kAccuracyBorder;
+  accuracy.compared = quality.compared;
+  accuracy.density =
+      quality.compared > 0 ? 100.0 * (quality.compared - quality.invalid) / quality.compared : 0;
+  accuracy.bad = quality.bad_percent();
+  accuracy.wrong = quality.wrong_percent();
+  return accuracy;
+}
+
+// The values in force, so that two machine files that mean the same have one hash.
+std::string machine_hash(const machine::MachineDescription& description) {
+  std::string text;
+  for (const ParameterBase* parameter : description.parameters()) {
+    text += fmt::format("{} = {}\n", parameter->declaration().name, parameter->value());
+  }
+  for (const memory::Region& region : description.map.regions) {
+    text += fmt::format("{} {} {:#x} {}\n", region.core, region.name, region.base, region.size);
+  }
+  return report::content_hash(text);
+}
+
+std::string scene_hash(const scenes::Scene& scene) {
+  std::string bytes;
+  for (const scenes::ByteImage* image : {&scene.left, &scene.right}) {
+    bytes.append(image->pixels().begin(), image->pixels().end());
+  }
+  return report::content_hash(bytes);
+}
+
+}  // namespace
+
+report::RunResult gather_result(const RunInputs& inputs, const ir::Image& image,
+                                machine::Machine& machine, Cycles end) {
+  const machine::MachineDescription& description = *inputs.machine;
+  const memory::MemorySystem& memory = machine.memory();
+  report::RunResult result;
+  result.provenance = {FINBACK_VERSION,
+                       inputs.firmware.identity,
+                       inputs.firmware.placement,
+                       {description.name, machine_hash(description)},
+                       {inputs.scene.name, scene_hash(inputs.scene)}};
+  result.core_hertz = description.clock.cclk_mhz * 1e6;
+  result.system_hertz = description.clock.sclk_mhz * 1e6;
+  result.cycles = end;
+  for (const machine::PublishedMap& map : machine.host().maps()) {
+    result.frames.push_back({map.frame_number, map.grabbed_at, map.published_at});
+  }
+
+  power::Activity activity;
+  activity.core_hertz = result.core_hertz;
+  activity.system_hertz = result.system_hertz;
+  activity.cycles = std::max<Cycles>(1, end);
+  activity.external_beats = external_beats(memory);
+  for (int core = 0; core < kCoreCount; ++core) {
+    const core::CoreProfile profile = machine.profile(static_cast<CoreId>(core));
+    result.cores.push_back(gather_core(core, profile));
+    gather_functions(core, profile, result);
+    activity.cores[static_cast<std::size_t>(core)] = core_activity(profile, end);
+  }
+  result.power = power::estimate_power(power::PowerParameters(), activity);
+
+  gather_stages(inputs.firmware.firmware.units.stages, result);
+  gather_traffic(memory, result);
+  gather_objects(memory, result);
+  gather_regions(image, description.map, result);
+  result.accuracy = gather_accuracy(inputs.scene.truth, machine.host().maps());
+  result.targets = {{"frames_per_second", ">=", kTargetFramesPerSecond,
+                     report::frames_per_second(result.frames, result.core_hertz), "fps"},
+                    {"power_watts", "<=", kTargetWatts, result.power.watts, "W"}};
+  for (const auto& [name, reading] : machine.counters().snapshot()) {
+    result.counters[name] = reading.value;
+  }
+  return result;
+}
+
+std::map<std::string, std::uint64_t> trace_counters(const report::RunResult& result) {
+  std::map<std::string, std::uint64_t> counters = result.counters;
+  counters["run.cycles"] = result.cycles;
+  for (const report::Frame& frame : result.frames) {
+    const std::string name = fmt::format("frame.{:04}", frame.number);
+    counters[name + ".grabbed_cycle"] = frame.grabbed;
+    counters[name + ".published_cycle"] = frame.published;
+  }
+  for (const report::Stage& stage : result.stages) {
+    counters[fmt::format("stage.{}.{}.cycles", stage.core, stage.name)] = stage.cycles;
+  }
+  return counters;
+}
+
+}  // namespace finback::cli

@@ -1,0 +1,48 @@
+// `finback`: reads the command line, runs one subcommand, turns what went wrong into one line and
+// an exit code.
+#include <exception>
+#include <fmt/format.h>
+
+#include <cli/commands.hpp>
+#include <common/error.hpp>
+
+namespace {
+
+using namespace finback::cli;
+
+int parse_and_run(int argc, char** argv) {
+  CLI::App app{
+      "Finback simulates a two-core Blackfin stereo camera: where do the cycles, the bytes "
+      "and the milliwatts go?"};
+  app.name("finback");
+  app.set_version_flag("--version", "finback " FINBACK_VERSION);
+  app.require_subcommand(1);
+  app.footer("finback COMMAND --help explains a command and shows an example.");
+  Action action;
+  add_run_command(app, action);
+  add_machine_command(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {  // --help, --version
+      return app.exit(error);
+    }
+    fmt::print(stderr, "finback: {} (finback --help shows how)\n", error.what());
+    return kUsage;
+  }
+  return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const finback::InputError& error) {
+    fmt::print(stderr, "finback: {}\n", error.what());
+    return kBadInput;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "finback: internal error, please report it: {}\n", error.what());
+    return kBadInput;
+  }
+}

@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <scenes/luma.hpp>
+
+#include <cli/commands.hpp>
+#include <cli/output_folder.hpp>
+#include <cli/progress.hpp>
+#include <cli/run_firmware.hpp>
+#include <common/error.hpp>
+#include <common/file.hpp>
+#include <report/json_writer.hpp>
+#include <report/text_writer.hpp>
+
+namespace finback::cli {
+
+namespace {
+
+// The disparities of the camera's firmware (stereo-system.md): maps are scaled to these, so that
+// one grey means one distance in all of them; a map that goes beyond widens its own scale.
+constexpr int kDisparityMin = 5;
+constexpr int kDisparityMax = 35;
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  finback run --scene aloe --frames 4 --out out/aloe\n"
+    "  finback run --left left.png --right right.jpg --out out/mine\n"
+    "  finback run --scene synthetic --placement my_placement.toml --out out/placed\n"
+    "Writes disparity_0000.png ... and result.json. More: docs/finback-run.md";
+
+struct Options {
+  std::string scene = "aloe";
+  std::string left;
+  std::string right;
+  std::uint32_t frames = 4;
+  std::string firmware = "mesvs2";
+  std::string machine;
+  std::string placement;
+  std::string out = "out";
+  std::string trace_counters;
+  double max_seconds = 0;
+  bool check = false;
+};
+
+RunInputs load_inputs(const Options& options) {
+  RunInputs inputs;
+  inputs.scene = options.left.empty() ? scenes::load_scene(options.scene, share_folder() / "scenes")
+                                      : scenes::load_scene_pair(options.left, options.right);
+  inputs.machine = options.machine.empty() ? std::make_unique<machine::MachineDescription>()
+                                           : machine::load_machine(options.machine);
+  inputs.firmware = find_firmware(options.firmware,
+                                  options.placement.empty()
+                                      ? std::nullopt
+                                      : std::optional<std::filesystem::path>(options.placement));
+  inputs.frames = options.frames;
+  // Two seconds a frame: ten times what the slowest of the camera's firmwares needs.
+  const double seconds =
+      options.max_seconds > 0 ? options.max_seconds : 2.0 * (options.frames + 1.0);
+  inputs.cycle_limit = static_cast<Cycles>(seconds * inputs.machine->clock.cclk_mhz * 1e6);
+  return inputs;
+}
+
+void write_map(const machine::PublishedMap& map, const std::filesystem::path& path) {
+  scenes::ByteImage image(static_cast<int>(map.width), static_cast<int>(map.height));
+  std::copy(map.bytes.begin(), map.bytes.end(), image.data());
+  int smallest = kDisparityMin;
+  int largest = kDisparityMax;
+  for (const std::uint8_t disparity : map.bytes) {
+    if (disparity != 0) {
+      smallest = std::min<int>(smallest, disparity);
+      largest = std::max<int>(largest, disparity);
+    }
+  }
+  scenes::write_disparity_png(image, smallest, largest, path);
+}
+
+// One counter a line, ordered by name: what differs shows in a diff.
+std::string trace_text(const report::RunResult& result) {
+  return nlohmann::json(trace_counters(result)).dump(1) + "\n";
+}
+
+int run(const Options& options) {
+  const RunInputs inputs = load_inputs(options);
+  OutputFolder folder(options.out);
+
+  catch_interrupts();
+  ProgressBar bar(options.frames, inputs.machine->clock.cclk_mhz * 1e6);
+  RunObserver observer;
+  observer.cancelled = [&bar](Cycles now, std::uint32_t frames_done) {
+    bar.show(now, frames_done);
+    return interrupted();
+  };
+  observer.console = [&bar](const std::string& line) {
+    bar.wipe();
+    fmt::print(stderr, "firmware: {}\n", line);
+  };
+  const RunOutcome outcome = run_firmware(inputs, observer);
+  bar.wipe();
+  if (outcome.cancelled || interrupted()) {
+    fmt::print(stderr, "finback: interrupted; nothing was written\n");
+    return kInterrupted;
+  }
+
+  for (const machine::PublishedMap& map : outcome.maps) {
+    write_map(map, folder.staged(fmt::format("disparity_{:04}.png", map.frame_number)));
+  }
+  write_file_whole(folder.staged("result.json"), report::to_json(outcome.result));
+  if (!options.trace_counters.empty()) {
+    write_file_whole(options.trace_counters, trace_text(outcome.result));
+  }
+  folder.commit();
+  fmt::print("{}", report::to_text(outcome.result));
+  fmt::print("Written: {} maps and result.json in {}\n", outcome.maps.size(), options.out);
+  const bool passed = std::all_of(outcome.result.targets.begin(), outcome.result.targets.end(),
+                                  [](const report::Target& target) { return target.passed(); });
+  return options.check && !passed ? kBudgetBroken : kFine;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("run", "Run a firmware on a stereo pair: maps, cycles, traffic, power");
+  command->footer(kExamples);
+  CLI::Option* left =
+      command->add_option("--left", options->left, "Left image, any size or colour");
+  CLI::Option* right = command->add_option("--right", options->right, "Right image, of equal size");
+  left->needs(right);
+  right->needs(left);
+  command->add_option("--scene", options->scene, "A scene with known truth: aloe or synthetic")
+      ->capture_default_str()
+      ->excludes(left)
+      ->excludes(right);
+  command->add_option("--frames", options->frames, "Frames to process; the pair is repeated")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 10000));
+  command
+      ->add_option("--firmware", options->firmware,
+                   "Installed firmware, or path of a folder, a firmware.toml or a .bir file")
+      ->capture_default_str();
+  command->add_option("--machine", options->machine, "Machine file (TOML) instead of the BF561");
+  command->add_option("--placement", options->placement,
+                      "Placement file (TOML) instead of the firmware's own");
+  command->add_option("--out", options->out, "Folder for what is written")->capture_default_str();
+  command
+      ->add_option("--max-seconds", options->max_seconds,
+                   "Give up after so much simulated time (default: 2 s a frame)")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--check", options->check, "Exit with 3 when a target is missed");
+  command->add_option("--trace-counters", options->trace_counters,
+                      "Also write the golden trace's counters to this file");
+  command->callback([&action, options] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace finback::cli

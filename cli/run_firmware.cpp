@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <cli/gather_result.hpp>
+#include <cli/run_firmware.hpp>
+#include <common/error.hpp>
+#include <isa_sim/ir/linker.hpp>
+#include <isa_sim/machine/machine.hpp>
+
+namespace finback::cli {
+
+namespace {
+
+// Why a run that stopped so has no result; "" when it has.
+std::string complaint(const machine::StopInfo& stop, machine::HostPort& host, double core_hertz) {
+  const double seconds = static_cast<double>(stop.time) / core_hertz;
+  switch (stop.reason) {
+    case machine::Stop::exited:
+      if (stop.exit_status != 0) {
+        return fmt::format("exited with status {} after {:.6f} s", stop.exit_status, seconds);
+      }
+      if (host.maps().size() < host.frames_grabbed()) {
+        return fmt::format("exited after publishing {} maps of {} grabbed frames",
+                           host.maps().size(), host.frames_grabbed());
+      }
+      return "";
+    case machine::Stop::cycle_limit:
+      return fmt::format(
+          "does not end: {} of its maps are published after {:.3f} s of simulated time; if it only "
+          "needs longer, raise --max-seconds",
+          host.maps().size(), seconds);
+    case machine::Stop::deadlock:
+      return fmt::format(
+          "both cores sleep after {:.6f} s and no event is due that would wake them: a wait for "
+          "an interrupt that is masked or was never started",
+          seconds);
+    case machine::Stop::cancelled:
+      return "";
+  }
+  return "";
+}
+
+}  // namespace
+
+RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
+  const ir::FirmwareUnits& units = inputs.firmware.firmware.units;
+  const ir::Image image = ir::link(units, inputs.firmware.firmware.placement, inputs.machine->map);
+  machine::Machine machine(*inputs.machine, image);
+  machine::HostPort& host = machine.host();
+  host.set_frames({{inputs.scene.left.pixels(), inputs.scene.right.pixels()}}, inputs.frames);
+  if (observer.console) {
+    host.set_console(observer.console);
+  }
+
+  machine::RunLimits limits;
+  limits.cycles = inputs.cycle_limit;
+  if (observer.cancelled) {
+    limits.cancelled = [&](Cycles now) {
+      return observer.cancelled(now, static_cast<std::uint32_t>(host.maps().size()));
+    };
+  }
+  const machine::StopInfo stop = machine.run(limits);
+  RunOutcome outcome;
+  if (stop.reason == machine::Stop::cancelled) {
+    outcome.cancelled = true;
+    return outcome;
+  }
+  const std::string trouble = complaint(stop, host, inputs.machine->clock.cclk_mhz * 1e6);
+  if (!trouble.empty()) {
+    throw GuestFault(fmt::format("firmware {} {}", units.name, trouble));
+  }
+  outcome.result = gather_result(inputs, image, machine, stop.time);
+  outcome.maps = host.maps();
+  return outcome;
+}
+
+}  // namespace finback::cli
