@@ -46,6 +46,13 @@ Flow flow_of(const ir::PlacedPacket& packet) { return info_of(packet.slots[0]).f
 
 bool ends_block(Flow flow) { return flow != Flow::none && flow != Flow::loop_setup; }
 
+// Control leaves anyway, be it to the very next packet.
+void refill_always(Block& block, Cycles cycles) {
+  block.taken_extra = cycles;
+  block.fall_extra = cycles;
+  block.fall_cause = Cause::branch_taken;
+}
+
 const Operation* leave_block(isa::ExecutionState&, const Operation*) { return nullptr; }
 
 }  // namespace
@@ -236,20 +243,20 @@ void BlockBuilder::set_exit(Block& block, const ir::PlacedPacket& last) const {
     case Flow::jump:
     case Flow::jump_indirect:
       block.ends = BlockEnd::jump;
-      block.taken_extra = taken;
+      refill_always(block, taken);
       break;
     case Flow::call:
     case Flow::call_indirect:
       block.ends = BlockEnd::call;
-      block.taken_extra = taken;
+      refill_always(block, taken);
       break;
     case Flow::ret:
       block.ends = BlockEnd::ret;
-      block.taken_extra = taken;
+      refill_always(block, taken);
       break;
     case Flow::ret_event:
       block.ends = BlockEnd::ret_event;
-      block.taken_extra = taken;
+      refill_always(block, taken);
       break;
     case Flow::branch:
       block.ends = BlockEnd::branch;

@@ -60,12 +60,12 @@ struct CoreParameters : ParameterGroup {
        "total cycles of writing LC, LT or LB by a move instead of LSETUP"}};
   IntegerParameter sub_bank_conflict{
       this,
-      {"core.sub_bank_conflict_cycles", "CCLK", 1, 0, 20, 'M', "hardware.md 1.5 (rule PT slide 36)",
+      {"core.sub_bank.conflict_cycles", "CCLK", 1, 0, 20, 'M',
+       "hardware.md 1.5 (rule: PT slide 36)",
        "stall when both accesses of a packet hit one L1 sub-bank with equal address bit 2"}};
-  IntegerParameter sub_bank_bytes{
-      this,
-      {"core.sub_bank_bytes", "bytes", 4096, 4, 65536, 'V', "hardware.md 2.2 (PT slides 35-36)",
-       "size of an L1 sub-bank, a power of two"}};
+  IntegerParameter sub_bank_bytes{this,
+                                  {"core.sub_bank.bytes", "bytes", 4096, 8, 65536, 'V',
+                                   "hardware.md 2.2 (PT slides 35-36)", "size of an L1 sub-bank"}};
   IntegerParameter interrupt_entry{
       this,
       {"core.interrupt.entry_cycles", "CCLK", 10, 1, 1000, 'E', "hardware.md 4",

@@ -38,6 +38,18 @@ void for_each_register(OperandKind kind, std::int32_t value, const Visit& visit)
   }
 }
 
+// A move or pop into LC, LT or LB refills the pipeline; LSETUP does not.
+bool writes_loop_register(const ir::PlacedInstruction& instruction) {
+  int index = 0;
+  for (const OperandRole& role : isa::roles_of(instruction.instruction)) {
+    const std::int32_t value = instruction.operand[static_cast<std::size_t>(index++)];
+    if (role.kind == OperandKind::any && role.written && value >= isa::LC0 && value <= isa::LB1) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void PipelineState::advance(Cycles cycles) {
@@ -54,7 +66,7 @@ Cycles Pipeline::issue_cycles(const ir::PlacedInstruction& instruction) const {
   };
   switch (info_of(instruction).issue) {
     case isa::Issue::one:
-      return 1;
+      return writes_loop_register(instruction) ? cycles(parameters_.loop_register) : 1;
     case isa::Issue::multiply32:
       return cycles(parameters_.multiply32);
     case isa::Issue::link:
@@ -69,8 +81,6 @@ Cycles Pipeline::issue_cycles(const ir::PlacedInstruction& instruction) const {
       return cycles(parameters_.event);
     case isa::Issue::test_and_set:
       return cycles(parameters_.test_and_set);
-    case isa::Issue::loop_register:
-      return cycles(parameters_.loop_register);
     case isa::Issue::register_list: {
       Cycles count = 0;
       int index = 0;

@@ -32,7 +32,6 @@ enum class Issue : std::uint8_t {
   event,  // STI, RAISE, EXCPT
   test_and_set,
   register_list,  // one a register: push and pop multiple
-  loop_register,  // LC, LT, LB written by a move
 };
 
 // When its result can be used (hardware.md 1.5).

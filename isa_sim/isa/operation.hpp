@@ -78,6 +78,8 @@ struct EngineHooks {
                       std::uint32_t& value);
   bool (*device_write)(ExecutionState& state, const Operation& operation, Address address,
                        int bytes, std::uint32_t value);
+  // TESTSET of the byte at `address`; same contract.
+  bool (*test_and_set)(ExecutionState& state, const Operation& operation, Address address, std::uint8_t& old);
   void (*system)(ExecutionState& state, const Operation& operation, SystemAction action,
                  std::uint32_t value);
 };

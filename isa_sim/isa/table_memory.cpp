@@ -143,13 +143,11 @@ const Operation* unlink(ExecutionState& s, const Operation* o) {
 }
 
 const Operation* test_and_set(ExecutionState& s, const Operation* o) {
-  u8 value = 0;
-  const Address address = reg(s, (*o)[0]);
-  if (!read_memory(s, *o, address, value)) {
+  u8 old = 0;
+  if (!s.hooks->test_and_set(s, *o, reg(s, (*o)[0]), old)) {
     return nullptr;
   }
-  static_cast<void>(write_memory<u8>(s, *o, address, static_cast<u8>(value | 0x80), true));
-  s.cc = value == 0;
+  s.cc = old == 0;
   return o + 1;
 }
 

@@ -1,0 +1,406 @@
+#include <fmt/format.h>
+#include <utility>
+
+#include <common/error.hpp>
+#include <isa_sim/core/core.hpp>
+
+namespace finback::core {
+
+using isa::ExecutionState;
+using isa::Operation;
+using isa::SystemAction;
+
+namespace {
+
+Cycles cycles_of(const IntegerParameter& parameter) {
+  return static_cast<Cycles>(std::int64_t{parameter});
+}
+
+constexpr int kExceptionEvent = 3;
+
+}  // namespace
+
+// The instructions' way into the core.
+struct Core::Hooks {
+  static Core& core(ExecutionState& state) { return *static_cast<Core*>(state.engine); }
+
+  static std::uint8_t* slow_access(ExecutionState& state, const Operation& o, Address address,
+                                   int bytes, bool write, bool continued) {
+    Core& c = core(state);
+    memory::Span* span = c.memory_.find_span(c.number_, address);
+    if (span == nullptr || (address & static_cast<Address>(bytes - 1)) != 0) {
+      c.fault(o, c.memory_.core_fault(c.number_, address, bytes, write));
+    }
+    if (isa::MemoryWindow* window = memory::MemorySystem::window(c.number_, span)) {
+      o.window = window;
+      ++(write ? window->writes : window->reads)[static_cast<std::size_t>(bytes / 2)];
+      return span->at(address);
+    }
+    if (!continued && c.wait_for_turn(o)) {
+      return nullptr;
+    }
+    const bool far = span->level == memory::Level::l3;
+    if (write) {
+      c.add_stall(o, far ? Cause::l3_write : Cause::l2_write,
+                  c.memory_.core_write(c.number_, span, address, bytes, c.now(o)));
+    } else {
+      c.add_stall(o, far ? Cause::l3_read : Cause::l2_read,
+                  c.memory_.core_read(c.number_, span, address, bytes, c.now(o)));
+    }
+    return span->at(address);
+  }
+
+  static bool device_read(ExecutionState& state, const Operation& o, Address address, int bytes,
+                          std::uint32_t& value) {
+    Core& c = core(state);
+    if (c.wait_for_turn(o)) {
+      return false;
+    }
+    if (address >= EventController::kFirstRegister) {
+      if (bytes != 4 || !c.events_.read(address, state.interrupt_mask, value)) {
+        c.fault(o,
+                fmt::format("read of {} bytes at {:#010x}: no such core register", bytes, address));
+      }
+      c.add_stall(o, Cause::device, c.core_register_stall_);
+      return true;
+    }
+    c.guarded(o, [&] {
+      const SystemPort::Read read = c.port_.device_read(c.number_, address, bytes, c.now(o));
+      value = read.value;
+      c.add_stall(o, Cause::device, read.stall);
+    });
+    return true;
+  }
+
+  static bool device_write(ExecutionState& state, const Operation& o, Address address, int bytes,
+                           std::uint32_t value) {
+    Core& c = core(state);
+    if (c.wait_for_turn(o)) {
+      return false;
+    }
+    if (address >= EventController::kFirstRegister) {
+      if (bytes != 4 || !c.events_.write(address, state.interrupt_mask, value)) {
+        c.fault(
+            o, fmt::format("write of {} bytes at {:#010x}: no such core register", bytes, address));
+      }
+      c.add_stall(o, Cause::device, c.core_register_stall_);
+      c.turn_.horizon = 0;  // the mask may let an interrupt in
+      return true;
+    }
+    c.guarded(o, [&] {
+      c.add_stall(o, Cause::device,
+                  c.port_.device_write(c.number_, address, bytes, value, c.now(o)));
+    });
+    return true;
+  }
+
+  static bool test_and_set(ExecutionState& state, const Operation& o, Address address,
+                           std::uint8_t& old) {
+    Core& c = core(state);
+    if (c.wait_for_turn(o)) {
+      return false;
+    }
+    memory::Span* span = c.memory_.find_span(c.number_, address);
+    if (span == nullptr) {
+      c.fault(o, c.memory_.core_fault(c.number_, address, 1, true));
+    }
+    c.guarded(o, [&] {
+      const bool far = span->level == memory::Level::l3;
+      c.add_stall(o, far ? Cause::l3_read : Cause::l2_read,
+                  c.memory_.core_test_and_set(c.number_, span, address, c.now(o)));
+    });
+    std::uint8_t& byte = *span->at(address);
+    old = byte;
+    byte |= 0x80;
+    return true;
+  }
+
+  static void system(ExecutionState& state, const Operation& o, SystemAction action,
+                     std::uint32_t value) {
+    core(state).act(o, action, value);
+  }
+
+  // Two accesses of one packet: operands {register, offset, register, offset}.
+  static const Operation* packet_conflict(ExecutionState& state, const Operation* o) {
+    Core& c = core(state);
+    const auto address = [&](int base) {
+      return state.reg[static_cast<std::size_t>((*o)[base])] + static_cast<Address>((*o)[base + 1]);
+    };
+    const Address first = address(0);
+    const Address second = address(2);
+    const Address bank_bytes = static_cast<Address>(std::int64_t{c.parameters_.sub_bank_bytes});
+    const bool same_parity = ((first ^ second) & 4) == 0;
+    if (same_parity && first / bank_bytes == second / bank_bytes && c.in_own_l1(first) &&
+        c.in_own_l1(second)) {
+      c.add_stall(*o, Cause::sub_bank, cycles_of(c.parameters_.sub_bank_conflict));
+    }
+    return o + 1;
+  }
+};
+
+Core::Core(CoreId id, const ir::CoreImage& image, const CoreParameters& parameters,
+           Cycles core_register_stall, memory::MemorySystem& memory, SystemPort& port)
+    : id_(id),
+      number_(static_cast<int>(id)),
+      image_(image),
+      parameters_(parameters),
+      core_register_stall_(core_register_stall),
+      memory_(memory),
+      port_(port),
+      hooks_{Hooks::slow_access, Hooks::device_read, Hooks::device_write, Hooks::test_and_set,
+             Hooks::system},
+      calls_(image.functions.size()),
+      builder_(image, parameters, memory, Hooks::packet_conflict),
+      dynamic_(image.packets.size()) {
+  state_.hooks = &hooks_;
+  state_.engine = this;
+}
+
+void Core::start(Cycles at) {
+  started_ = true;
+  started_at_ = at;
+  state_.time = at;
+  state_.reg[isa::SP] = image_.stack_top;
+  state_.reg[isa::FP] = image_.stack_top;
+  current_ = block_at(image_.entry, 0);
+  calls_.start(current_->function, at);
+}
+
+void Core::run(const Turn& turn) {
+  turn_ = turn;
+  const Operation* operation = std::exchange(state_.retry, nullptr);
+  if (operation == nullptr) {
+    if (events_.pending_event(state_.interrupt_mask) >= 0) {
+      take_interrupt();
+    }
+    operation = current_->operations.get();
+    state_.next_address = current_->end;
+  } else if (events_.pending_event(state_.interrupt_mask) >= 0) {
+    turn_.horizon = 0;  // finish the block first
+  }
+  for (;;) {
+    while (operation != nullptr) {
+      operation = operation->execute(state_, operation);
+    }
+    if (state_.retry != nullptr) {
+      return;
+    }
+    finish_block(*current_);
+    if (state_.time >= turn_.horizon) {
+      return;
+    }
+    operation = current_->operations.get();
+    state_.next_address = current_->end;
+  }
+}
+
+void Core::finish_block(Block& block) {
+  ++block.executions;
+  Address next = state_.next_address;
+  const bool taken = next != block.end;
+  if (taken) {
+    ++block.taken;
+    state_.time += block.cycles + block.taken_extra;
+  } else {
+    state_.time += block.cycles + block.fall_extra;
+    if (block.may_end_loop && loop_back(block)) {
+      next = state_.next_address;
+    }
+  }
+  current_ = successor(block, next, taken);
+  if (block.ends >= BlockEnd::call) {
+    note_call_or_return(block, next);
+  }
+}
+
+Block* Core::successor(Block& block, Address next, bool refill) {
+  for (Block::Exit& exit : block.exits) {
+    if (exit.block != nullptr && exit.address == next) {
+      return exit.block;
+    }
+  }
+  Block* found = block_at(next, refill ? 0 : block.exit_state);
+  // The newest successor stays; a return's two callers at hand are enough.
+  std::swap(block.exits[0], block.exits[1]);
+  block.exits[0] = {next, found};
+  return found;
+}
+
+Block* Core::block_at(Address address, std::uint32_t state) {
+  const std::uint64_t key = std::uint64_t{state} << 32 | address;
+  const auto known = block_index_.find(key);
+  if (known != block_index_.end()) {
+    return known->second;
+  }
+  std::unique_ptr<Block> block = builder_.build(address, state);
+  if (block == nullptr) {
+    const std::string from =
+        current_ != nullptr ? " from " + place(current_->first_packet + current_->packet_count - 1)
+                            : "";
+    throw GuestFault(fmt::format("{}: jump to {:#010x}, where no instruction is{}", name_of(id_),
+                                 address, from));
+  }
+  blocks_.push_back(std::move(block));
+  block_index_.emplace(key, blocks_.back().get());
+  return blocks_.back().get();
+}
+
+// Loop 1 is looked at first, so that the inner of two loops with one bottom is loop 1
+// (hardware.md 1.4).
+bool Core::loop_back(const Block& block) {
+  for (const int loop : {1, 0}) {
+    std::uint32_t& count = state_.reg[static_cast<std::size_t>(isa::LC0 + loop)];
+    if (count != 0 &&
+        state_.reg[static_cast<std::size_t>(isa::LB0 + loop)] == block.last_packet_address &&
+        --count != 0) {
+      state_.next_address = state_.reg[static_cast<std::size_t>(isa::LT0 + loop)];
+      return true;
+    }
+  }
+  return false;
+}
+
+void Core::note_call_or_return(const Block& block, Address next) {
+  switch (block.ends) {
+    case BlockEnd::call:
+      calls_.call(current_->function, block.end, state_.time);
+      break;
+    case BlockEnd::ret:
+      calls_.ret(next, state_.time);
+      break;
+    case BlockEnd::ret_event:
+      calls_.leave_interrupt(state_.time);
+      break;
+    default:
+      break;
+  }
+}
+
+void Core::take_interrupt() {
+  const int event = events_.pending_event(state_.interrupt_mask);
+  const Address handler = events_.enter(event);
+  if (builder_.packet_at(handler) == BlockBuilder::kNoPacket) {
+    throw GuestFault(
+        fmt::format("{}: interrupt IVG{} at {}, but EVT{} holds {:#010x}, where no instruction is",
+                    name_of(id_), event, place(current_->first_packet), event, handler));
+  }
+  const Address back = current_->address;
+  state_.reg[isa::RETI] = back;
+  current_ = block_at(handler, 0);
+  calls_.enter_interrupt(current_->function, back, state_.time);
+  const Cycles entry = cycles_of(parameters_.interrupt_entry);
+  dynamic_[current_->first_packet][static_cast<std::size_t>(Cause::interrupt_entry)] += entry;
+  state_.time += entry;
+}
+
+void Core::shorten_turn(Cycles until) {
+  turn_.horizon = std::min(turn_.horizon, until);
+  turn_.shared_until = std::min(turn_.shared_until, until);
+}
+
+void Core::set_requests(std::uint32_t ivg_lines, bool wake_line, Cycles at) {
+  events_.set_requests(ivg_lines);
+  wake_line_ = wake_line;
+  if (sleeping_ && (wake_line || events_.wants_attention(state_.interrupt_mask))) {
+    wake(at);
+  }
+  turn_.horizon = 0;
+}
+
+void Core::wake(Cycles at) {
+  settle(at);
+  sleeping_ = false;
+  const Cycles latency = cycles_of(parameters_.idle_wake);
+  dynamic_[idle_packet_][static_cast<std::size_t>(Cause::idle)] += latency;
+  state_.time += latency;
+}
+
+void Core::settle(Cycles at) {
+  if (sleeping_ && at > state_.time) {
+    dynamic_[idle_packet_][static_cast<std::size_t>(Cause::idle)] += at - state_.time;
+    state_.time = at;
+  }
+}
+
+void Core::act(const Operation& operation, SystemAction action, std::uint32_t value) {
+  switch (action) {
+    case SystemAction::idle:
+      if (!wake_line_ && !events_.wants_attention(state_.interrupt_mask)) {
+        sleeping_ = true;
+        idle_packet_ = operation.site;
+        turn_.horizon = 0;
+      }
+      break;
+    case SystemAction::core_sync:
+    case SystemAction::disable_interrupts:
+      break;
+    case SystemAction::system_sync: {
+      const Cycles drained =
+          std::max(memory_.writes_drained_at(number_), port_.device_writes_drained_at(number_));
+      if (drained > now(operation)) {
+        add_stall(operation, Cause::device, drained - now(operation));
+      }
+      break;
+    }
+    case SystemAction::enable_interrupts:
+      turn_.horizon = 0;
+      break;
+    case SystemAction::raise:
+      events_.raise(static_cast<int>(value));
+      turn_.horizon = 0;
+      break;
+    case SystemAction::exception:
+      state_.reg[isa::SEQSTAT] = value;
+      state_.reg[isa::RETX] = state_.next_address;
+      state_.next_address = events_.enter(kExceptionEvent);
+      break;
+    case SystemAction::return_from_interrupt:
+    case SystemAction::return_from_exception:
+      if (!events_.leave()) {
+        fault(operation, "return from an event, but no handler is running");
+      }
+      turn_.horizon = 0;
+      break;
+    case SystemAction::loop_bottom:
+      if (builder_.add_loop_bottom(value)) {
+        block_index_.clear();
+        for (const auto& block : blocks_) {
+          block->exits = {};
+        }
+      }
+      break;
+  }
+}
+
+void Core::add_stall(const Operation& operation, Cause cause, Cycles cycles) {
+  dynamic_[operation.site][static_cast<std::size_t>(cause)] += cycles;
+  state_.time += cycles;
+}
+
+bool Core::wait_for_turn(const Operation& operation) {
+  if (now(operation) < turn_.shared_until) {
+    return false;
+  }
+  state_.retry = &operation;
+  return true;
+}
+
+bool Core::in_own_l1(Address address) {
+  memory::Span* span = memory_.find_span(number_, address);
+  return span != nullptr && memory::MemorySystem::window(number_, span) != nullptr;
+}
+
+std::string Core::place(std::uint32_t packet) const {
+  const ir::PlacedPacket& p = image_.packets[packet];
+  std::string text = fmt::format("{} ({:#010x}", image_.functions[p.function].name, p.address);
+  if (p.line > 0) {
+    text += fmt::format(", {}:{}", image_.source_files[static_cast<std::size_t>(p.file)], p.line);
+  }
+  return text + ")";
+}
+
+void Core::fault(const Operation& operation, const std::string& what) const {
+  throw GuestFault(fmt::format("{} in {}: {}", name_of(id_), place(operation.site), what));
+}
+
+}  // namespace finback::core

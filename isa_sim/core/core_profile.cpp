@@ -1,0 +1,85 @@
+// Where the cycles went, summed from counts x constants when somebody asks.
+#include <fmt/format.h>
+
+#include <isa_sim/core/core.hpp>
+
+namespace finback::core {
+
+namespace {
+
+void add(CauseCycles& sum, Cause cause, Cycles cycles) {
+  sum[static_cast<std::size_t>(cause)] += cycles;
+}
+
+void add(CauseCycles& sum, const CauseCycles& more) {
+  for (std::size_t cause = 0; cause < sum.size(); ++cause) {
+    sum[cause] += more[cause];
+  }
+}
+
+}  // namespace
+
+CoreProfile Core::profile() const {
+  CoreProfile result;
+  result.started = started_;
+  if (!started_) {
+    return result;
+  }
+  result.cycles = state_.time - started_at_;
+  std::vector<CauseCycles> by_packet = dynamic_;
+  std::vector<std::uint64_t> executions(image_.packets.size());
+  std::vector<std::uint64_t> instructions(image_.functions.size());
+  for (const auto& block : blocks_) {
+    for (const StaticCost& cost : block->costs) {
+      add(by_packet[cost.packet], cost.cause, cost.cycles * block->executions);
+    }
+    const std::uint32_t last = block->first_packet + block->packet_count - 1;
+    add(by_packet[last], block->taken_cause, block->taken_extra * block->taken);
+    add(by_packet[last], block->fall_cause, block->fall_extra * (block->executions - block->taken));
+    for (std::uint32_t packet = block->first_packet; packet <= last; ++packet) {
+      executions[packet] += block->executions;
+    }
+    instructions[block->function] += block->instructions * block->executions;
+    result.instructions += block->instructions * block->executions;
+    result.packets += block->packet_count * block->executions;
+    for (std::size_t i = 0; i < result.by_energy_class.size(); ++i) {
+      result.by_energy_class[i] += block->by_energy_class[i] * block->executions;
+    }
+  }
+  const std::vector<Cycles> inclusive = calls_.inclusive(state_.time);
+  for (std::uint32_t i = 0; i < image_.functions.size(); ++i) {
+    result.functions.push_back({.name = image_.functions[i].name,
+                                .calls = calls_.calls(i),
+                                .instructions = instructions[i],
+                                .exclusive = {},
+                                .inclusive = inclusive[i]});
+  }
+  for (std::size_t packet = 0; packet < by_packet.size(); ++packet) {
+    add(result.functions[image_.packets[packet].function].exclusive, by_packet[packet]);
+    add(result.causes, by_packet[packet]);
+    if (executions[packet] != 0) {
+      result.packet_profiles.push_back({packet, executions[packet], by_packet[packet]});
+    }
+  }
+  return result;
+}
+
+void Core::register_counters(CounterRegistry& registry) const {
+  const std::string core = name_of(id_);
+  registry.add(core + ".cycles", "cycles",
+               "from the core's start to the end of the run, sleep included",
+               [this] { return profile().cycles; });
+  registry.add(core + ".instructions", "instructions",
+               "executed, without the NOPs that fill packets",
+               [this] { return profile().instructions; });
+  registry.add(core + ".packets", "packets", "issued", [this] { return profile().packets; });
+  for (std::size_t cause = 0; cause < kCauseCount; ++cause) {
+    const std::string name = cause == 0
+                                 ? core + ".issue.cycles"
+                                 : fmt::format("{}.stall.{}.cycles", core, kCauseNames[cause]);
+    registry.add(name, "cycles", cause == 0 ? "one for each packet" : "waiting, by cause",
+                 [this, cause] { return profile().causes[cause]; });
+  }
+}
+
+}  // namespace finback::core
