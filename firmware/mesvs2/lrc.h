@@ -1,0 +1,12 @@
+/* Left-right consistency check, from the winners that shd_select_row left in left_keys and
+ * right_keys: no second pass over the scores. */
+#ifndef MESVS2_LRC_H
+#define MESVS2_LRC_H
+
+#include <stdint.h>
+
+/* Writes MAP_WIDTH disparities: a left pixel's disparity d where the right pixel x - d has chosen
+ * the same one, LRC_THRESHOLD more or less; else 0, as where nothing is computed. */
+void lrc_check_row(uint8_t* disparities);
+
+#endif

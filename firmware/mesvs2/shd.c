@@ -1,0 +1,110 @@
+#include "shd.h"
+
+#include <string.h>
+
+/* The leaving census is kept inverted on the left: the XOR of two pairs then holds h of the
+ * entering row and 8 - h of the leaving one, and a single count of ones gives their difference plus
+ * BIAS. What leaves the window carries the same BIAS, so U does not see it. */
+#define BIAS 8
+#define INVERTED 0xFF
+
+uint16_t shd_scores[COLUMN_COUNT * DISPARITY_COUNT];
+uint16_t shd_update[DISPARITY_COUNT];
+uint16_t shd_modular[WINDOW * DISPARITY_COUNT];
+uint16_t left_pairs[MAP_WIDTH];
+uint16_t right_pairs[PAIR_MARGIN + MAP_WIDTH];
+int32_t left_keys[MAP_WIDTH];
+int32_t right_keys[MAP_WIDTH];
+const uint8_t shd_zero_row[MAP_WIDTH];
+
+__attribute__((noinline)) void shd_start_frame(void) { memset(shd_scores, 0, sizeof shd_scores); }
+
+static void pair_row(const uint8_t* restrict entering, const uint8_t* restrict leaving,
+                     unsigned inversion, uint16_t* restrict pairs) {
+  for (int x = 0; x < MAP_WIDTH; ++x) {
+    *pairs++ = (uint16_t)(*entering++ | (*leaving++ ^ inversion) << 8);
+  }
+}
+
+__attribute__((noinline)) void shd_pair_rows(const uint8_t* left_entering,
+                                             const uint8_t* left_leaving,
+                                             const uint8_t* right_entering,
+                                             const uint8_t* right_leaving) {
+  pair_row(left_entering, left_leaving, INVERTED, left_pairs);
+  pair_row(right_entering, right_leaving, 0, right_pairs + PAIR_MARGIN);
+}
+
+__attribute__((noinline)) void shd_start_row(void) {
+  uint16_t* restrict modular = shd_modular;
+  const uint16_t* left = left_pairs + DISPARITY_MIN;
+  const uint16_t* right_of_column = right_pairs + PAIR_MARGIN;
+
+  memset(shd_update, 0, sizeof shd_update);
+  for (int i = 0; i < WINDOW - 1; ++i) {
+    const uint16_t* right = right_of_column++;
+    uint16_t* restrict update = shd_update;
+    unsigned left_pair = *left++;
+    for (int k = 0; k < DISPARITY_COUNT; ++k) {
+      unsigned newest = (unsigned)__builtin_popcount(left_pair ^ *right--);
+      *modular++ = (uint16_t)newest;
+      *update = (uint16_t)(*update + newest - BIAS);
+      ++update;
+    }
+  }
+  /* The first window lacks nothing on its left: what it drops is nothing. */
+  for (int k = 0; k < DISPARITY_COUNT; ++k) {
+    *modular++ = BIAS;
+  }
+}
+
+__attribute__((noinline)) void shd_update_row(void) {
+  uint16_t* restrict score = shd_scores;
+  uint16_t* restrict oldest = shd_modular + (WINDOW - 1) * DISPARITY_COUNT;
+  const uint16_t* left = left_pairs + FIRST_COLUMN + HALF_WINDOW;
+  const uint16_t* right_of_column = right_pairs + PAIR_MARGIN + WINDOW - 1;
+
+  for (int i = 0; i < COLUMN_COUNT; ++i) {
+    const uint16_t* right = right_of_column++;
+    uint16_t* restrict update = shd_update;
+    unsigned left_pair = *left++;
+    for (int k = 0; k < DISPARITY_COUNT; ++k) {
+      unsigned newest = (unsigned)__builtin_popcount(left_pair ^ *right--);
+      unsigned sum = *update + newest - *oldest;
+      *oldest++ = (uint16_t)newest;
+      *update++ = (uint16_t)sum;
+      *score = (uint16_t)(*score + sum);
+      ++score;
+    }
+    if (oldest == shd_modular + WINDOW * DISPARITY_COUNT) {
+      oldest = shd_modular;
+    }
+  }
+}
+
+__attribute__((noinline)) void shd_select_row(void) {
+  const uint16_t* column_scores = shd_scores;
+  int32_t* left_key = left_keys + FIRST_COLUMN;
+  int32_t* right_key_of_column = right_keys + FIRST_COLUMN - DISPARITY_MIN;
+  int candidates = 1;
+
+  for (int x = 0; x < MAP_WIDTH; ++x) {
+    right_keys[x] = INT32_MAX;
+  }
+  for (int i = 0; i < COLUMN_COUNT; ++i) {
+    const uint16_t* restrict score = column_scores;
+    int32_t* restrict right_key = right_key_of_column++;
+    int32_t best = INT32_MAX;
+    for (int k = 0; k < candidates; ++k) {
+      int32_t key = (*score++ << KEY_SHIFT) + k;
+      int32_t right_best = *right_key;
+      best = key < best ? key : best;
+      *right_key-- = key < right_best ? key : right_best;
+    }
+    *left_key++ = best;
+    column_scores += DISPARITY_COUNT;
+    /* A column further to the right has one more right window inside the image. */
+    if (candidates < DISPARITY_COUNT) {
+      ++candidates;
+    }
+  }
+}

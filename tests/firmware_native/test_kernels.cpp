@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <random>
+#include <scenes/luma.hpp>
+#include <scenes/scene.hpp>
+
+#include <stereo_reference/matching.hpp>
+
+extern "C" {
+#include "census.h"
+#include "matching.h"
+#include "stereo_config.h"
+}
+
+namespace finback {
+namespace {
+
+namespace fs = std::filesystem;
+using scenes::ByteImage;
+
+const stereo_reference::MatchParameters kParameters{WINDOW, DISPARITY_MIN, DISPARITY_MAX};
+
+ByteImage random_image(std::mt19937& generator, unsigned levels) {
+  ByteImage image(MAP_WIDTH, MAP_HEIGHT);
+  std::generate_n(image.data(), MAP_PIXELS,
+                  [&] { return static_cast<std::uint8_t>(generator() % levels); });
+  return image;
+}
+
+// What core B makes of a rectified pair.
+ByteImage firmware_map(ByteImage left, ByteImage right) {
+  census_image(left.data());
+  census_image(right.data());
+  ByteImage map(MAP_WIDTH, MAP_HEIGHT, 255);
+  for (int y = 0; y < MAP_HEIGHT; ++y) {
+    match_row(left.data(), right.data(), y, &map.at(0, y));
+  }
+  return map;
+}
+
+void expect_equal(const ByteImage& left, const ByteImage& right) {
+  const ByteImage map = firmware_map(left, right);
+  const ByteImage truth = stereo_reference::disparity_map(left, right, kParameters, LRC_THRESHOLD);
+  for (int y = 0; y < MAP_HEIGHT; ++y) {
+    for (int x = 0; x < MAP_WIDTH; ++x) {
+      ASSERT_EQ(map.at(x, y), truth.at(x, y)) << "column " << x << ", row " << y;
+    }
+  }
+}
+
+TEST(FirmwareKernels, CensusInPlaceEqualsTheReference) {
+  std::mt19937 generator(21);
+  for (const unsigned levels : {2U, 256U}) {
+    const ByteImage image = random_image(generator, levels);
+    ByteImage census = image;
+    census_image(census.data());
+    EXPECT_EQ(census, stereo_reference::census_3x3(image));
+  }
+}
+
+TEST(FirmwareKernels, MapsOfRandomImagesEqualTheReference) {
+  std::mt19937 generator(22);
+  for (const unsigned levels : {1U, 2U, 3U, 16U, 256U}) {
+    expect_equal(random_image(generator, levels), random_image(generator, levels));
+  }
+}
+
+TEST(FirmwareKernels, AFrameDoesNotDependOnTheOneBefore) {
+  std::mt19937 generator(23);
+  const ByteImage left = random_image(generator, 8);
+  const ByteImage right = random_image(generator, 8);
+  const ByteImage first = firmware_map(left, right);
+  (void)firmware_map(right, left);
+  EXPECT_EQ(firmware_map(left, right), first);
+}
+
+TEST(FirmwareKernels, MapsOfScenesEqualTheReference) {
+  for (const std::string& name : scenes::scene_names()) {
+    SCOPED_TRACE(name);
+    const scenes::Scene scene = scenes::load_scene(name, FINBACK_SCENES);
+    expect_equal(stereo_reference::subsample_by_4(scene.left),
+                 stereo_reference::subsample_by_4(scene.right));
+  }
+}
+
+// Every pair of the data folder that has two views, brought to the camera's size.
+TEST(FirmwareKernels, MapsOfRealPairsEqualTheReference) {
+  const char* chosen = std::getenv("FINBACK_SHARED_DATA");
+  const fs::path folder =
+      fs::path(chosen != nullptr ? chosen : FINBACK_DEFAULT_DATA) / "middlebury";
+  if (!fs::exists(folder)) {
+    GTEST_SKIP() << folder << " is not there; set FINBACK_SHARED_DATA to a data folder";
+  }
+  int pairs = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    for (const auto& [left, right] :
+         {std::pair{"view1.png", "view5.png"}, {"im2.png", "im6.png"}}) {
+      if (!fs::exists(entry.path() / left) || !fs::exists(entry.path() / right)) {
+        continue;
+      }
+      SCOPED_TRACE(entry.path().string());
+      const auto pair = scenes::load_luma_vga_pair(entry.path() / left, entry.path() / right);
+      expect_equal(stereo_reference::subsample_by_4(pair.left),
+                   stereo_reference::subsample_by_4(pair.right));
+      ++pairs;
+    }
+  }
+  EXPECT_GE(pairs, 30);
+}
+
+}  // namespace
+}  // namespace finback
