@@ -31,6 +31,9 @@ enum ChannelRegister : std::uint32_t {
   kCurrentYCount = 0x38,
 };
 
+// "CONFIG" for kConfig; "" for an offset that is no register.
+[[nodiscard]] std::string channel_register_name(std::uint32_t offset);
+
 enum ConfigBit : std::uint32_t {
   kEnable = 1U << 0,
   kWriteMemory = 1U << 1,  // WNR
@@ -70,6 +73,8 @@ class DmaChannel {
   // Loads the walk from the registers and sets RUN. Throws GuestFault for what is not modelled or
   // makes no sense (direction, WDSIZE 3, misalignment).
   void start();
+  // Goes back to the first element of the walk that start() loaded.
+  void rewind() { walk_ = AddressGenerator(shape_); }
   void stop() { irq_status_ &= ~std::uint32_t{kRun}; }
   void set_done() { irq_status_ |= kDone; }
 
@@ -80,7 +85,7 @@ class DmaChannel {
   [[nodiscard]] std::uint32_t flow() const { return config_ >> 12U & 7U; }
   [[nodiscard]] TransferShape shape_from_registers() const;
   [[nodiscard]] std::uint32_t word(std::uint32_t offset) const;
-  [[noreturn]] void fault(const char* what, std::uint32_t value, const std::string& why) const;
+  [[noreturn]] void fault(std::uint32_t offset, std::uint32_t value, const std::string& why) const;
 
   std::string name_;
   bool writes_memory_;

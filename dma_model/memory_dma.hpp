@@ -9,7 +9,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <string>
 
 #include <common/units.hpp>
 #include <dma_model/memory_dma_stream.hpp>
@@ -39,12 +38,10 @@ class MemoryDma {
   }
   void advance(Cycles now);
 
-  [[nodiscard]] const std::string& name() const { return name_; }
-
  private:
+  [[nodiscard]] const DmaChannel& channel(std::uint32_t offset) const;
   void update_line(std::size_t stream, Cycles now);
 
-  std::string name_;
   std::array<MemoryDmaStream, 2> streams_;
   std::array<bool, 2> line_{};
   InterruptLine interrupt_;

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,11 +25,13 @@ class MemoryDmaStream {
   MemoryDmaStream(const std::string& controller, int number, memory::Initiator initiator,
                   const DmaParameters& parameters, Cycles ratio, memory::MemorySystem& memory);
 
-  [[nodiscard]] DmaChannel& destination() { return destination_; }
-  [[nodiscard]] DmaChannel& source() { return source_; }
+  [[nodiscard]] const DmaChannel& destination() const { return destination_; }
+  [[nodiscard]] const DmaChannel& source() const { return source_; }
 
-  // To be called after a channel's CONFIG was written at `now`: starts or stops the transfer.
-  void config_written(DmaChannel& channel, Cycles now);
+  // Writes a register of the destination or the source channel. CONFIG starts the transfer when
+  // both are enabled, and ends it at once when one is disabled. Throws GuestFault for what cannot
+  // be started.
+  void write(bool to_destination, std::uint32_t offset, int bytes, std::uint32_t value, Cycles now);
 
   // Time of the next thing that this stream does by itself, or kNever.
   [[nodiscard]] Cycles next_event_time() const { return next_event_; }
@@ -48,12 +49,17 @@ class MemoryDmaStream {
     std::uint32_t elements = 0;
   };
 
-  void start(Cycles now);
+  void config_written(DmaChannel& channel, Cycles now);
+  void start(Cycles at);
+  void abandon();
   void ask_read(Cycles now);
   void ask_write(Cycles now);
-  void read_done();
+  void read_done(Cycles now);
   void write_done(Cycles now);
+  void finish(Cycles now);
   void plan_next_event();
+  static void note_rows(DmaChannel& channel, std::uint32_t& rows);
+  void check_pair() const;
   void check(const DmaChannel& channel, const std::vector<memory::DmaRun>& runs) const;
 
   DmaChannel destination_;
@@ -72,6 +78,8 @@ class MemoryDmaStream {
   std::array<Burst, 2> fifo_;
   std::size_t fifo_first_ = 0;
   std::size_t fifo_count_ = 0;  // bursts read whole and not yet written
+  std::uint32_t source_rows_ = 0;
+  std::uint32_t destination_rows_ = 0;
 };
 
 }  // namespace finback::dma

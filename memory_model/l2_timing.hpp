@@ -39,10 +39,13 @@ class L2Timing {
   }
   [[nodiscard]] Cycles fetch_stall() const { return read_cycles_ - 1; }
 
-  // A DMA burst of `words` words: when it has the port.
-  Cycles dma_start(Cycles now) const { return std::max(now, dma_free_at_) + dma_overhead_; }
-  // `words` words from `address` on, all in one sub-bank or in few: returns when they have passed.
-  Cycles dma_words(Address first, Address last, std::uint32_t words, Cycles start);
+  [[nodiscard]] Cycles dma_free_at() const { return dma_free_at_; }
+  // A DMA burst: when its first word can pass.
+  [[nodiscard]] Cycles dma_start(Cycles now) const {
+    return std::max(now, dma_free_at_) + dma_overhead_;
+  }
+  // `words` words between the addresses `low` and `high`: returns when they have passed.
+  Cycles dma_words(Address low, Address high, std::uint32_t words, Cycles start);
 
  private:
   Cycles grant(int core, Address address, Cycles now) {
@@ -51,7 +54,7 @@ class L2Timing {
       start = port_free_at_ + (port_core_ == core ? 0 : contention_cycles_);
     }
     port_core_ = core;
-    if (sub_bank_dma_until_[(address - base_) / sub_bank_bytes_] > start) {
+    if (sub_bank_dma_until_[(address - base_) >> sub_bank_shift_] > start) {
       start += dma_collision_cycles_;
     }
     return start;
@@ -64,7 +67,7 @@ class L2Timing {
   Cycles dma_overhead_;
   Cycles dma_word_;
   Address base_ = 0;
-  std::uint32_t sub_bank_bytes_;
+  int sub_bank_shift_;
   int port_core_ = 0;
   Cycles port_free_at_ = 0;
   Cycles dma_free_at_ = 0;

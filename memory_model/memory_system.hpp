@@ -48,7 +48,8 @@ struct Span {
   int core = -1;              // whose L1; -1: shared
   bool core_access = true;    // loads and stores of the owning core may touch it (not L1 code)
   bool dma_reachable = true;  // not the scratchpad
-  std::uint32_t object = 0;   // index of its name in MemorySystem::objects()
+  std::uint32_t region = 0;   // index into MemoryMap::regions
+  std::uint32_t object = 0;   // index into MemorySystem::objects()
   TrafficTable traffic{};
   isa::MemoryWindow window;  // L1 only; its counts are core `core`'s direct accesses
 
@@ -110,8 +111,8 @@ class MemorySystem {
   [[nodiscard]] Cycles fetch_line_cost(Level level) const;
 
   // --- DMA ---
-  // Why DMA cannot touch `bytes` bytes at `address`; empty when it can.
-  [[nodiscard]] std::string dma_fault(Address address, std::uint32_t bytes) const;
+  // Why DMA cannot touch all of `run`, "0x...: ..."; empty when it can. A run lies in one region.
+  [[nodiscard]] std::string dma_fault(const DmaRun& run, std::uint32_t element_bytes) const;
   // Times and counts one burst, asked for at `now`; returns when its last word has passed. The runs
   // must be free of dma_fault and aligned to `element_bytes` (1, 2 or 4).
   Cycles dma_burst(Initiator initiator, Direction direction, std::span<const DmaRun> runs,
@@ -131,9 +132,9 @@ class MemorySystem {
   // --- what was counted ---
   // Sums over all objects; equal to the traffic counters.
   [[nodiscard]] Traffic level_traffic(Level level, Initiator initiator, Direction direction) const;
-  // One for each place, in the order of their addresses, and a "(free)" one for each region.
+  // By region in the order of their addresses: one for each place, then "(free)".
   [[nodiscard]] std::vector<ObjectTraffic> objects() const;
-  // traffic.<level>.<initiator>.<read|write>.{bytes,accesses,stall_cycles} and memory.sdram.*.
+  // traffic.<level>.<initiator>.<read|write>.{bytes,accesses,stall.cycles} and memory.sdram.*.
   void register_counters(CounterRegistry& registry) const;
 
  private:
@@ -168,25 +169,24 @@ class MemorySystem {
   }
 
   void add_region_spans(std::size_t region, const std::vector<ObjectPlace>& places);
-  void add_span(std::size_t region, Address base, Address end, std::uint32_t object);
+  void add_span(std::size_t region, std::uint64_t base, std::uint64_t end, std::uint32_t object);
   [[nodiscard]] Span* find_any(Address address);
-  [[nodiscard]] const Span* find_any(Address address) const;
-  [[nodiscard]] const Region& region_of(Address address, std::uint32_t size,
-                                        const char* what) const;
+  [[nodiscard]] std::uint8_t* bytes_at(Address address, std::uint32_t size) const;
   void count_run(Initiator initiator, Direction direction, const DmaRun& run,
-                 std::uint32_t element_bytes, Cycles waited);
-  [[nodiscard]] Cycles l1_dma_burst(int core, std::uint32_t words, Cycles now);
+                 std::uint32_t element_bytes);
+  [[nodiscard]] Cycles dma_free_at(const Span& span) const;
+  [[nodiscard]] Cycles dma_start(const Span& span, Direction direction, Cycles now);
+  [[nodiscard]] Cycles dma_words(const Span& span, Direction direction, const DmaRun& run,
+                                 std::uint32_t element_bytes, Cycles start);
 
   MemoryMap map_;
   std::vector<HostBytes> region_bytes_;  // as map_.regions
   std::vector<Span> spans_;              // ordered by base; fixed after construction
   std::vector<ObjectTraffic> objects_;   // names; traffic stays in the spans
-  // Spans found last, by core and a hash of the address: access sites hit few objects.
+  // Spans found last, by a hash of the address: programs work on few objects at a time.
   static constexpr std::size_t kRecentCount = 64;
-  std::array<std::array<Span*, kRecentCount>, kCoreCount> recent_{};
-  std::array<Span*, kRecentCount> recent_any_{};
+  std::array<Span*, kRecentCount> recent_{};
 
-  Cycles ratio_;
   Cycles l1_dma_overhead_;
   Cycles l1_dma_word_;
   std::array<Cycles, kCoreCount> l1_dma_free_at_{};

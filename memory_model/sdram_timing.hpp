@@ -19,6 +19,7 @@
 namespace finback::memory {
 
 struct SdramCounters {
+  // One for each access of a core; one for each burst and page of DMA.
   std::uint64_t row_hits = 0;
   std::uint64_t row_misses = 0;  // the bank had another row open, or none
   std::uint64_t refreshes = 0;   // that an access came upon or after; idle tails do not count
@@ -50,8 +51,8 @@ class SdramTiming {
   // 64 bits from an open row.
   [[nodiscard]] Cycles fetch_stall() const { return core_read_ + beat_ - 1; }
 
-  // A DMA burst, in three steps: the bus from dma_start, then words (an element each), then the
-  // end. dma_start returns when the first column command can go out.
+  [[nodiscard]] Cycles dma_free_at() const { return free_at_; }
+  // A DMA burst: when its first word can pass, if its row is open.
   Cycles dma_start(bool write, Cycles now);
   // `count` elements, `stride` bytes apart, starting at `start`; returns when the last has passed.
   Cycles dma_words(bool write, Address address, std::int32_t stride, std::uint32_t count,
@@ -78,6 +79,7 @@ class SdramTiming {
   void release(Cycles start, Cycles duration) {
     free_at_ = start + duration;
     counters_.busy_cycles += free_at_ - bus_from_;
+    bus_from_ = free_at_;
   }
   Cycles open_for_read(Address address, Cycles now) { return open(address, now, 0); }
   Cycles open_for_write(Address address, Cycles now) { return open(address, now, twr_); }
@@ -85,7 +87,7 @@ class SdramTiming {
   Cycles open(Address address, Cycles now, Cycles before_close) {
     const std::uint32_t offset = address - base_;
     Bank& bank = banks_[offset / bank_bytes_];
-    const std::uint32_t row = offset / page_bytes_;
+    const std::uint32_t row = offset >> page_shift_;
     if (bank.row == row) {
       ++counters_.row_hits;
       return now;
@@ -110,7 +112,7 @@ class SdramTiming {
   Cycles refresh_;
   Address base_ = 0;
   std::uint32_t bank_bytes_;
-  std::uint32_t page_bytes_;
+  int page_shift_;
   std::vector<Bank> banks_;
   Cycles free_at_ = 0;
   Cycles bus_from_ = 0;

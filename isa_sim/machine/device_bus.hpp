@@ -54,8 +54,7 @@ class DeviceBus {
   [[nodiscard]] HostPort& host() { return host_; }
 
  private:
-  struct Place;
-  [[nodiscard]] Place locate(Address address, int bytes) const;
+  static void check(Address address, int bytes, bool write);
   void plan_next_event();
 
   Cycles read_cycles_;

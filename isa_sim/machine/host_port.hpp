@@ -46,11 +46,16 @@ struct PublishedMap {
   Cycles published_at = 0;
 };
 
+// "FRAME_GRAB" for kFrameGrab; "" for an offset that is no register.
+[[nodiscard]] std::string host_register_name(std::uint32_t offset);
+
 class HostPort {
  public:
   static constexpr std::uint32_t kRegisterBytes = 0x28;
 
   explicit HostPort(memory::MemorySystem& memory) : memory_(memory) {}
+  HostPort(const HostPort&) = delete;
+  HostPort& operator=(const HostPort&) = delete;
 
   // --- the host's side ---
   // The firmware can grab `count` pairs; they are `frames` in turn, again from the first when
@@ -73,7 +78,10 @@ class HostPort {
     exit_ = std::move(exit);
   }
 
-  // --- the machine's side: registers ---
+  // Delivers a console line that has no end yet; for who stops the machine otherwise.
+  void flush_line();
+
+  // --- the machine's side: registers, by offset (one of HostRegister) ---
   [[nodiscard]] std::uint32_t read(std::uint32_t offset) const;
   void write(std::uint32_t offset, std::uint32_t value, Cycles now);
 
@@ -81,6 +89,8 @@ class HostPort {
   void grab(std::uint32_t value, Cycles now);
   void fill(Address address, const std::vector<std::uint8_t>& image, const char* register_name);
   void publish(std::uint32_t frame_number, Cycles now);
+  std::uint8_t* buffer(Address address, std::uint32_t size, memory::Direction direction,
+                       const char* register_name);
   void print(char character);
 
   memory::MemorySystem& memory_;

@@ -3,7 +3,7 @@
 // Models: 64 sources with masks, assignment to IVG7-15, wake-up masks; the two supplemental
 // interrupts of each core raised and acknowledged through SICB_SYSCR; release of core B through
 // SICA_SYSCR. A line that rises is seen by the core after a latency, one that falls at once. Does
-// not model: SWRST and RVECT (they read 0), boot mode. Source: hardware.md 3.1 (default IVGs), 4.
+// not model: SWRST, RVECT, boot mode. Source: hardware.md 3.1 (default IVGs), 4.
 #pragma once
 
 #include <array>
@@ -27,6 +27,9 @@ enum InterruptSource : int {
   kSupplemental1 = 63,
 };
 
+// "IMASK0" for 0x0C and so on; "" for an offset that is no register of SICA or SICB.
+[[nodiscard]] std::string interrupt_register_name(std::uint32_t offset);
+
 class SystemInterrupts {
  public:
   static constexpr int kSourceCount = 64;
@@ -41,8 +44,8 @@ class SystemInterrupts {
 
   SystemInterrupts(const DeviceParameters& parameters, Cycles ratio, Outputs outputs);
 
-  // Registers of SICA (`core` 0) or SICB (`core` 1), offset from 0xFFC00100 or 0xFFC01100. Throw
-  // GuestFault for what is no register.
+  // Registers of SICA (`core` 0) or SICB (`core` 1), offset from 0xFFC00100 or 0xFFC01100, one that
+  // has a name. Write throws GuestFault for ISR0 and ISR1.
   [[nodiscard]] std::uint32_t read(int core, std::uint32_t offset) const;
   void write(int core, std::uint32_t offset, std::uint32_t value, Cycles now);
 

@@ -1,0 +1,188 @@
+#include <cstring>
+#include <fmt/format.h>
+
+#include <common/error.hpp>
+#include <isa_sim/machine/host_port.hpp>
+
+namespace finback::machine {
+
+namespace {
+
+constexpr std::uint32_t kFrameBytes = kFrameWidth * kFrameHeight;
+
+}  // namespace
+
+std::string host_register_name(std::uint32_t offset) {
+  switch (offset) {
+    case kFramesLeft:
+      return "FRAMES_LEFT";
+    case kFrameLeftAddress:
+      return "FRAME_LEFT_ADDRESS";
+    case kFrameRightAddress:
+      return "FRAME_RIGHT_ADDRESS";
+    case kFrameGrab:
+      return "FRAME_GRAB";
+    case kMapAddress:
+      return "MAP_ADDRESS";
+    case kMapSize:
+      return "MAP_SIZE";
+    case kMapPublish:
+      return "MAP_PUBLISH";
+    case kConsole:
+      return "CONSOLE";
+    case kExit:
+      return "EXIT";
+    case kFrameNumber:
+      return "FRAME_NUMBER";
+    default:
+      return "";
+  }
+}
+
+void HostPort::set_frames(std::vector<StereoFrame> frames, std::uint32_t count) {
+  if (frames.empty() && count > 0) {
+    throw InputError("host port: there are no frames to grab");
+  }
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i].left.size() != kFrameBytes || frames[i].right.size() != kFrameBytes) {
+      throw InputError(fmt::format(
+          "host port: frame {} has {} and {} bytes instead of {}x{} luma, {} each", i,
+          frames[i].left.size(), frames[i].right.size(), kFrameWidth, kFrameHeight, kFrameBytes));
+    }
+  }
+  frames_ = std::move(frames);
+  frame_count_ = count;
+}
+
+std::uint32_t HostPort::read(std::uint32_t offset) const {
+  switch (offset) {
+    case kFramesLeft:
+      return frame_count_ - frames_grabbed();
+    case kFrameLeftAddress:
+      return left_address_;
+    case kFrameRightAddress:
+      return right_address_;
+    case kMapAddress:
+      return map_address_;
+    case kMapSize:
+      return map_size_;
+    case kFrameNumber:
+      if (grabbed_at_.empty()) {
+        throw GuestFault("HOST_FRAME_NUMBER was read before the first FRAME_GRAB");
+      }
+      return frames_grabbed() - 1;
+    default:
+      break;
+  }
+  throw GuestFault(fmt::format("HOST_{} is write-only", host_register_name(offset)));
+}
+
+void HostPort::write(std::uint32_t offset, std::uint32_t value, Cycles now) {
+  switch (offset) {
+    case kFrameLeftAddress:
+      left_address_ = value;
+      return;
+    case kFrameRightAddress:
+      right_address_ = value;
+      return;
+    case kFrameGrab:
+      grab(value, now);
+      return;
+    case kMapAddress:
+      map_address_ = value;
+      return;
+    case kMapSize:
+      map_size_ = value;
+      return;
+    case kMapPublish:
+      publish(value, now);
+      return;
+    case kConsole:
+      print(static_cast<char>(value & 0xFFU));
+      return;
+    case kExit:
+      flush_line();
+      if (exit_) {
+        exit_(value, now);
+      }
+      return;
+    default:
+      break;
+  }
+  throw GuestFault(fmt::format("HOST_{} is read-only", host_register_name(offset)));
+}
+
+void HostPort::grab(std::uint32_t value, Cycles now) {
+  if (value != 1) {
+    throw GuestFault(fmt::format("HOST_FRAME_GRAB = {}: write 1 to grab a frame", value));
+  }
+  if (frames_grabbed() >= frame_count_) {
+    throw GuestFault(fmt::format(
+        "HOST_FRAME_GRAB: all {} frames were grabbed; firmware must look at HOST_FRAMES_LEFT first",
+        frame_count_));
+  }
+  const StereoFrame& frame = frames_[frames_grabbed() % frames_.size()];
+  fill(left_address_, frame.left, "FRAME_LEFT_ADDRESS");
+  fill(right_address_, frame.right, "FRAME_RIGHT_ADDRESS");
+  grabbed_at_.push_back(now);
+}
+
+std::uint8_t* HostPort::buffer(Address address, std::uint32_t size, memory::Direction direction,
+                               const char* register_name) {
+  try {
+    return memory_.host_access(address, size, direction);
+  } catch (const InputError& error) {
+    throw GuestFault(fmt::format("HOST_{} = {:#010x}: {}", register_name, address, error.what()));
+  }
+}
+
+void HostPort::fill(Address address, const std::vector<std::uint8_t>& image,
+                    const char* register_name) {
+  std::memcpy(buffer(address, kFrameBytes, memory::Direction::write, register_name), image.data(),
+              image.size());
+}
+
+void HostPort::publish(std::uint32_t frame_number, Cycles now) {
+  const std::uint32_t width = map_size_ & 0xFFFFU;
+  const std::uint32_t height = map_size_ >> 16U;
+  if (width == 0 || height == 0) {
+    throw GuestFault(
+        fmt::format("HOST_MAP_SIZE = {:#x}: a map of {} x {} is empty; write width | "
+                    "height << 16",
+                    map_size_, width, height));
+  }
+  if (frame_number >= frames_grabbed()) {
+    throw GuestFault(fmt::format("HOST_MAP_PUBLISH = {}: {} frames were grabbed so far",
+                                 frame_number, frames_grabbed()));
+  }
+  const std::uint8_t* bytes =
+      buffer(map_address_, width * height, memory::Direction::read, "MAP_ADDRESS");
+  maps_.push_back({.frame_number = frame_number,
+                   .width = width,
+                   .height = height,
+                   .bytes = std::vector<std::uint8_t>(bytes, bytes + std::size_t{width} * height),
+                   .grabbed_at = grabbed_at_[frame_number],
+                   .published_at = now});
+  if (map_listener_) {
+    map_listener_(maps_.back());
+  }
+}
+
+void HostPort::print(char character) {
+  if (character == '\n') {
+    if (console_) {
+      console_(line_);
+    }
+    line_.clear();
+  } else {
+    line_ += character;
+  }
+}
+
+void HostPort::flush_line() {
+  if (!line_.empty()) {
+    print('\n');
+  }
+}
+
+}  // namespace finback::machine

@@ -1,0 +1,82 @@
+// What the memory system counted, by level and by object, out of the counts of its spans.
+#include <fmt/format.h>
+
+#include <memory_model/memory_system.hpp>
+
+namespace finback::memory {
+
+namespace {
+
+// A window's direct accesses, counted by log2 of their size.
+Traffic direct(const std::array<std::uint64_t, 3>& by_size) {
+  return {.accesses = by_size[0] + by_size[1] + by_size[2],
+          .bytes = by_size[0] + 2 * by_size[1] + 4 * by_size[2]};
+}
+
+Traffic total(const Span& span, std::size_t initiator, std::size_t direction) {
+  Traffic sum = span.traffic[initiator][direction];
+  if (span.core == static_cast<int>(initiator)) {  // cores are initiators 0 and 1
+    sum += direct(direction == 0 ? span.window.reads : span.window.writes);
+  }
+  return sum;
+}
+
+}  // namespace
+
+Traffic MemorySystem::level_traffic(Level level, Initiator initiator, Direction direction) const {
+  Traffic sum;
+  for (const Span& span : spans_) {
+    if (span.level == level) {
+      sum += total(span, static_cast<std::size_t>(initiator), static_cast<std::size_t>(direction));
+    }
+  }
+  return sum;
+}
+
+std::vector<ObjectTraffic> MemorySystem::objects() const {
+  std::vector<ObjectTraffic> result = objects_;
+  for (const Span& span : spans_) {
+    TrafficTable& table = result[span.object].traffic;
+    for (std::size_t initiator = 0; initiator < table.size(); ++initiator) {
+      for (std::size_t direction = 0; direction < kDirectionCount; ++direction) {
+        table[initiator][direction] += total(span, initiator, direction);
+      }
+    }
+  }
+  return result;
+}
+
+void MemorySystem::register_counters(CounterRegistry& registry) const {
+  for (std::size_t l = 0; l < kLevelCount; ++l) {
+    for (std::size_t i = 0; i < kInitiatorCount; ++i) {
+      for (std::size_t d = 0; d < kDirectionCount; ++d) {
+        const auto sum = [this, l, i, d] {
+          return level_traffic(static_cast<Level>(l), static_cast<Initiator>(i),
+                               static_cast<Direction>(d));
+        };
+        const std::string name =
+            fmt::format("traffic.{}.{}.{}", kLevelNames[l], kInitiatorNames[i], kDirectionNames[d]);
+        const std::string what = fmt::format("{} by {} in {}", d == 0 ? "reads" : "writes",
+                                             kInitiatorNames[i], kLevelNames[l]);
+        registry.add(name + ".accesses", "accesses", what + ".", [sum] { return sum().accesses; });
+        registry.add(name + ".bytes", "bytes", "Bytes of " + what + ".",
+                     [sum] { return sum().bytes; });
+        registry.add(name + ".stall.cycles", "cycles", "Cycles lost to " + what + ".",
+                     [sum] { return sum().stall_cycles; });
+      }
+    }
+  }
+  const SdramCounters& sdram = sdram_.counters();
+  registry.add("memory.sdram.row_hit.accesses", "accesses",
+               "Accesses of cores, and pages of DMA bursts, that found their row open.",
+               &sdram.row_hits);
+  registry.add("memory.sdram.row_miss.accesses", "accesses",
+               "Accesses of cores, and pages of DMA bursts, that had to open their row.",
+               &sdram.row_misses);
+  registry.add("memory.sdram.refresh.events", "events",
+               "Refreshes up to the last access to the SDRAM.", &sdram.refreshes);
+  registry.add("memory.sdram.busy.cycles", "cycles", "Time that accesses held the external bus.",
+               &sdram.busy_cycles);
+}
+
+}  // namespace finback::memory

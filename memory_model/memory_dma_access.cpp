@@ -1,0 +1,160 @@
+// The side of the memory system that DMA uses: bursts in time, and their bytes.
+#include <cstring>
+#include <fmt/format.h>
+
+#include <memory_model/memory_system.hpp>
+#include <memory_model/strided.hpp>
+
+namespace finback::memory {
+
+namespace {
+
+// The lowest and the highest address that a run touches.
+struct Extent {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+};
+
+Extent extent_of(const DmaRun& run, std::uint32_t element_bytes) {
+  const std::int64_t first = run.address;
+  const std::int64_t last = first + std::int64_t{run.stride} * (std::int64_t{run.count} - 1);
+  return {std::min(first, last), std::max(first, last) + element_bytes - 1};
+}
+
+}  // namespace
+
+std::string MemorySystem::dma_fault(const DmaRun& run, std::uint32_t element_bytes) const {
+  const Region* region = map_.find(run.address);
+  if (region == nullptr) {
+    return fmt::format("{:#010x}: no memory is mapped there", run.address);
+  }
+  if (!region->dma_reachable) {
+    return fmt::format("{:#010x}: DMA does not reach {}", run.address, region->name);
+  }
+  const Extent extent = extent_of(run, element_bytes);
+  const std::int64_t low = region->base;
+  const std::int64_t high = low + region->size - 1;
+  if (extent.low < low || extent.high > high) {
+    const std::int64_t past = extent.low < low ? extent.low : extent.high;
+    return fmt::format("{:#010x}: the transfer leaves {}, which ends at {:#010x}",
+                       static_cast<std::uint32_t>(past), region->name,
+                       static_cast<std::uint32_t>(past < low ? low : high));
+  }
+  return "";
+}
+
+Cycles MemorySystem::dma_free_at(const Span& span) const {
+  switch (span.level) {
+    case Level::l2:
+      return l2_.dma_free_at();
+    case Level::l3:
+      return sdram_.dma_free_at();
+    case Level::l1:
+      break;
+  }
+  return l1_dma_free_at_[static_cast<std::size_t>(span.core)];
+}
+
+Cycles MemorySystem::dma_start(const Span& span, Direction direction, Cycles now) {
+  switch (span.level) {
+    case Level::l2:
+      return l2_.dma_start(now);
+    case Level::l3:
+      return sdram_.dma_start(direction == Direction::write, now);
+    case Level::l1:
+      break;
+  }
+  return std::max(now, dma_free_at(span)) + l1_dma_overhead_;
+}
+
+Cycles MemorySystem::dma_words(const Span& span, Direction direction, const DmaRun& run,
+                               std::uint32_t element_bytes, Cycles start) {
+  switch (span.level) {
+    case Level::l2: {
+      const Extent extent = extent_of(run, element_bytes);
+      return l2_.dma_words(static_cast<Address>(extent.low), static_cast<Address>(extent.high),
+                           run.count, start);
+    }
+    case Level::l3:
+      return sdram_.dma_words(direction == Direction::write, run.address, run.stride, run.count,
+                              start);
+    case Level::l1:
+      break;
+  }
+  Cycles& free_at = l1_dma_free_at_[static_cast<std::size_t>(span.core)];
+  free_at = start + run.count * l1_dma_word_;
+  return free_at;
+}
+
+Cycles MemorySystem::dma_burst(Initiator initiator, Direction direction,
+                               std::span<const DmaRun> runs, std::uint32_t element_bytes,
+                               Cycles now) {
+  Cycles time = now;
+  const Span* previous = nullptr;
+  for (const DmaRun& run : runs) {
+    Span* span = find_any(run.address);
+    if (previous == nullptr) {
+      const Cycles free_at = dma_free_at(*span);
+      span->traffic[static_cast<std::size_t>(initiator)][static_cast<std::size_t>(direction)]
+          .stall_cycles += free_at > now ? free_at - now : 0;
+    }
+    if (previous == nullptr || previous->region != span->region) {
+      time = dma_start(*span, direction, time);
+    }
+    time = dma_words(*span, direction, run, element_bytes, time);
+    count_run(initiator, direction, run, element_bytes);
+    previous = span;
+  }
+  return time;
+}
+
+void MemorySystem::count_run(Initiator initiator, Direction direction, const DmaRun& run,
+                             std::uint32_t element_bytes) {
+  Address address = run.address;
+  std::uint32_t left = run.count;
+  while (left > 0) {
+    Span* span = find_any(address);
+    const std::uint32_t here = elements_within(address, run.stride, left, span->base,
+                                               std::uint64_t{span->base} + span->size);
+    Traffic& traffic =
+        span->traffic[static_cast<std::size_t>(initiator)][static_cast<std::size_t>(direction)];
+    traffic.accesses += here;
+    traffic.bytes += Bytes{here} * element_bytes;
+    left -= here;
+    address += here * static_cast<std::uint32_t>(run.stride);
+  }
+}
+
+void MemorySystem::gather(std::span<const DmaRun> runs, std::uint32_t element_bytes,
+                          std::uint8_t* to) {
+  for (const DmaRun& run : runs) {
+    const std::uint8_t* from = find_any(run.address)->at(run.address);
+    if (run.stride == static_cast<std::int32_t>(element_bytes)) {
+      const std::size_t bytes = std::size_t{run.count} * element_bytes;
+      std::memcpy(to, from, bytes);
+      to += bytes;
+      continue;
+    }
+    for (std::uint32_t i = 0; i < run.count; ++i, to += element_bytes) {
+      std::memcpy(to, from + std::ptrdiff_t{run.stride} * i, element_bytes);
+    }
+  }
+}
+
+void MemorySystem::scatter(std::span<const DmaRun> runs, std::uint32_t element_bytes,
+                           const std::uint8_t* from) {
+  for (const DmaRun& run : runs) {
+    std::uint8_t* to = find_any(run.address)->at(run.address);
+    if (run.stride == static_cast<std::int32_t>(element_bytes)) {
+      const std::size_t bytes = std::size_t{run.count} * element_bytes;
+      std::memcpy(to, from, bytes);
+      from += bytes;
+      continue;
+    }
+    for (std::uint32_t i = 0; i < run.count; ++i, from += element_bytes) {
+      std::memcpy(to + std::ptrdiff_t{run.stride} * i, from, element_bytes);
+    }
+  }
+}
+
+}  // namespace finback::memory

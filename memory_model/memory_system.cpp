@@ -1,0 +1,226 @@
+#include <algorithm>
+#include <cstring>
+#include <fmt/format.h>
+#include <new>
+
+#include <common/error.hpp>
+#include <memory_model/memory_system.hpp>
+#include <memory_model/strided.hpp>
+
+namespace finback::memory {
+
+namespace {
+
+const Region* only_region(const MemoryMap& map, Level level) {
+  const Region* found = nullptr;
+  for (const Region& region : map.regions) {
+    if (region.level == level) {
+      if (found != nullptr) {
+        throw InputError(fmt::format("regions {} and {} are both {}: a machine has at most one",
+                                     found->name, region.name,
+                                     kLevelNames[static_cast<std::size_t>(level)]));
+      }
+      found = &region;
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+MemorySystem::MemorySystem(MemoryMap map, const MemoryParameters& parameters,
+                           const ClockParameters& clock, const std::vector<ObjectPlace>& places)
+    : map_(std::move(map)),
+      l1_dma_overhead_(static_cast<Cycles>(parameters.l1_dma_overhead_sclk) * clock.ratio()),
+      l1_dma_word_(static_cast<Cycles>(parameters.l1_dma_word_sclk) * clock.ratio()),
+      l2_(parameters, clock.ratio(), only_region(map_, Level::l2)),
+      sdram_(parameters, clock, only_region(map_, Level::l3)) {
+  for (WriteBuffer& buffer : write_buffers_) {
+    buffer.set_entries(static_cast<std::size_t>(parameters.write_buffer_entries));
+  }
+  std::vector<ObjectPlace> sorted = places;
+  std::erase_if(sorted, [](const ObjectPlace& place) { return place.size == 0; });
+  std::stable_sort(sorted.begin(), sorted.end(), [](const ObjectPlace& a, const ObjectPlace& b) {
+    return a.address < b.address;
+  });
+  for (const ObjectPlace& place : sorted) {
+    const Region* region = map_.find(place.address);
+    if (region == nullptr || !region->contains(place.address, place.size)) {
+      throw InputError(fmt::format("{} of {}: {} bytes at {:#010x} do not lie in one region",
+                                   place.name, place.owner, place.size, place.address));
+    }
+  }
+  for (std::size_t i = 0; i < map_.regions.size(); ++i) {
+    // calloc gives zeroed pages that the host provides when they are touched.
+    region_bytes_.emplace_back(static_cast<std::uint8_t*>(std::calloc(map_.regions[i].size, 1)));
+    if (region_bytes_.back() == nullptr) {
+      throw std::bad_alloc();
+    }
+    add_region_spans(i, sorted);
+  }
+}
+
+void MemorySystem::add_region_spans(std::size_t index, const std::vector<ObjectPlace>& places) {
+  const Region& region = map_.regions[index];
+  const std::uint64_t region_end = std::uint64_t{region.base} + region.size;
+  std::vector<const ObjectPlace*> here;
+  for (const ObjectPlace& place : places) {
+    if (region.contains(place.address)) {
+      here.push_back(&place);
+    }
+  }
+  const std::uint32_t free_object = static_cast<std::uint32_t>(objects_.size() + here.size());
+  ObjectTraffic free{
+      .name = "(free)",
+      .owner = region.core < 0 ? "shared" : name_of(static_cast<CoreId>(region.core)),
+      .region = region.name,
+      .level = region.level};
+  std::uint64_t next = region.base;
+  const auto add_free = [&](std::uint64_t end) {
+    if (next < end) {
+      free.address = free.size == 0 ? static_cast<Address>(next) : free.address;
+      free.size += static_cast<std::uint32_t>(end - next);
+      add_span(index, next, end, free_object);
+    }
+  };
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    const ObjectPlace& place = *here[i];
+    if (place.address < next) {
+      throw InputError(fmt::format("{} of {} at {:#010x} overlaps {} of {}", place.name,
+                                   place.owner, place.address, here[i - 1]->name,
+                                   here[i - 1]->owner));
+    }
+    add_free(place.address);
+    const std::uint64_t limit = i + 1 < here.size() ? here[i + 1]->address : region_end;
+    const std::uint64_t end = std::uint64_t{place.address} + place.size;
+    const std::uint64_t padded = (end + 3) & ~std::uint64_t{3};
+    next = padded <= limit ? padded : end;
+    add_span(index, place.address, next, static_cast<std::uint32_t>(objects_.size()));
+    objects_.push_back(ObjectTraffic{.name = place.name,
+                                     .owner = place.owner,
+                                     .region = region.name,
+                                     .level = region.level,
+                                     .address = place.address,
+                                     .size = place.size});
+  }
+  add_free(region_end);
+  objects_.push_back(std::move(free));
+}
+
+void MemorySystem::add_span(std::size_t index, std::uint64_t base, std::uint64_t end,
+                            std::uint32_t object) {
+  const Region& region = map_.regions[index];
+  Span span;
+  span.base = static_cast<Address>(base);
+  span.size = static_cast<std::uint32_t>(end - base);
+  span.bytes = region_bytes_[index].get() + (base - region.base);
+  span.level = region.level;
+  span.core = region.core;
+  span.core_access = region.data || region.level != Level::l1;
+  span.dma_reachable = region.dma_reachable;
+  span.region = static_cast<std::uint32_t>(index);
+  span.object = object;
+  if (region.level == Level::l1) {
+    span.window.base = span.base;
+    span.window.size = span.size;
+    span.window.bytes = span.bytes;
+  }
+  spans_.push_back(span);
+}
+
+Span* MemorySystem::find_any(Address address) {
+  Span*& recent = recent_[(address >> 12U ^ address >> 20U) % kRecentCount];
+  if (recent != nullptr && recent->contains(address)) {
+    return recent;
+  }
+  const auto next =
+      std::upper_bound(spans_.begin(), spans_.end(), address,
+                       [](Address wanted, const Span& span) { return wanted < span.base; });
+  if (next == spans_.begin() || !std::prev(next)->contains(address)) {
+    return nullptr;
+  }
+  recent = &*std::prev(next);
+  return recent;
+}
+
+Span* MemorySystem::find_span(int core, Address address) {
+  Span* span = find_any(address);
+  const bool reachable =
+      span != nullptr && span->core_access && (span->core == -1 || span->core == core);
+  return reachable ? span : nullptr;
+}
+
+std::string MemorySystem::core_fault(int core, Address address, int bytes, bool write) const {
+  const std::string access = fmt::format("{} of {} byte{} at {:#010x}", write ? "store" : "load",
+                                         bytes, bytes == 1 ? "" : "s", address);
+  if (address % static_cast<std::uint32_t>(bytes) != 0) {
+    return fmt::format("{}: misaligned, the address must be a multiple of {}", access, bytes);
+  }
+  const Region* region = map_.find(address);
+  if (region == nullptr) {
+    return access + ": no memory is mapped there";
+  }
+  if (region->core != -1 && region->core != core) {
+    return fmt::format("{}: {} of {} is out of reach of {} (only DMA goes there)", access,
+                       region->name, name_of(static_cast<CoreId>(region->core)),
+                       name_of(static_cast<CoreId>(core)));
+  }
+  if (region->level == Level::l1 && !region->data) {
+    return fmt::format("{}: {} is instruction memory, which loads and stores do not reach", access,
+                       region->name);
+  }
+  return "";
+}
+
+Cycles MemorySystem::core_test_and_set(int core, Span* span, Address address, Cycles now) {
+  if (span->level == Level::l1) {
+    throw GuestFault(fmt::format(
+        "TESTSET at {:#010x}: a lock must lie in l2 or l3, L1 has no locked access", address));
+  }
+  const Cycles stall = span->level == Level::l2 ? l2_.locked_read_write(core, address, now)
+                                                : sdram_.locked_read_write(address, now);
+  count(*span, core, Direction::read, 1, stall);
+  count(*span, core, Direction::write, 1, 0);
+  return stall;
+}
+
+Cycles MemorySystem::fetch_line_cost(Level level) const {
+  switch (level) {
+    case Level::l2:
+      return l2_.fetch_stall();
+    case Level::l3:
+      return sdram_.fetch_stall();
+    case Level::l1:
+      break;
+  }
+  return 0;
+}
+
+std::uint8_t* MemorySystem::bytes_at(Address address, std::uint32_t size) const {
+  const Region* region = map_.find(address);
+  if (region == nullptr || !region->contains(address, size)) {
+    throw InputError(
+        fmt::format("{} bytes at {:#010x} do not lie in one region of memory", size, address));
+  }
+  return region_bytes_[static_cast<std::size_t>(region - map_.regions.data())].get() +
+         (address - region->base);
+}
+
+std::uint8_t* MemorySystem::host_access(Address address, std::uint32_t size, Direction direction) {
+  std::uint8_t* bytes = bytes_at(address, size);
+  count_run(Initiator::host, direction, DmaRun{address, 1, size}, 1);
+  return bytes;
+}
+
+void MemorySystem::store_bytes(Address address, std::span<const std::uint8_t> bytes) {
+  if (!bytes.empty()) {
+    std::memcpy(bytes_at(address, static_cast<std::uint32_t>(bytes.size())), bytes.data(),
+                bytes.size());
+  }
+}
+
+std::span<const std::uint8_t> MemorySystem::view_bytes(Address address, std::uint32_t size) const {
+  return {bytes_at(address, size), size};
+}
+
+}  // namespace finback::memory

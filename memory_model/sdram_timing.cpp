@@ -1,0 +1,82 @@
+#include <bit>
+#include <fmt/format.h>
+
+#include <common/error.hpp>
+#include <memory_model/sdram_timing.hpp>
+#include <memory_model/strided.hpp>
+
+namespace finback::memory {
+
+SdramTiming::SdramTiming(const MemoryParameters& parameters, const ClockParameters& clock,
+                         const Region* region) {
+  const Cycles ratio = clock.ratio();
+  const auto cycles = [ratio](std::int64_t sclk) { return static_cast<Cycles>(sclk) * ratio; };
+  cl_ = cycles(parameters.sdram_cl_sclk);
+  trcd_ = cycles(parameters.sdram_trcd_sclk);
+  trp_ = cycles(parameters.sdram_trp_sclk);
+  tras_ = cycles(parameters.sdram_tras_sclk);
+  twr_ = cycles(parameters.sdram_twr_sclk);
+  core_read_ = cycles(parameters.sdram_core_read_overhead_sclk) + cl_;
+  core_read_hold_ = std::min(cycles(parameters.sdram_core_read_hold_sclk), core_read_);
+  write_ = cycles(parameters.sdram_write_sclk);
+  beat_ = cycles(parameters.sdram_beat_sclk);
+  dma_overhead_ = cycles(parameters.sdram_dma_overhead_sclk);
+  turnaround_ = cycles(parameters.sdram_turnaround_sclk);
+  refresh_ = cycles(parameters.sdram_refresh_sclk);
+  refresh_period_ = static_cast<Cycles>(static_cast<double>(parameters.sdram_refresh_period_ns) *
+                                        clock.cclk_mhz / 1000.0);
+  next_refresh_ = refresh_ > 0 ? refresh_period_ : kNever;
+
+  const auto page_bytes = static_cast<std::uint32_t>(parameters.sdram_page_bytes);
+  if (!std::has_single_bit(page_bytes)) {
+    throw InputError(
+        fmt::format("memory.sdram.page_bytes = {} must be a power of two", page_bytes));
+  }
+  page_shift_ = std::countr_zero(page_bytes);
+  const auto bank_count = static_cast<std::uint32_t>(parameters.sdram_banks);
+  const std::uint32_t size = region == nullptr ? page_bytes * bank_count : region->size;
+  if (size % (page_bytes * bank_count) != 0) {
+    throw InputError(fmt::format(
+        "region {}: {} bytes do not make memory.sdram.banks = {} equal banks of {}-byte pages",
+        region->name, size, bank_count, page_bytes));
+  }
+  base_ = region == nullptr ? 0 : region->base;
+  bank_bytes_ = size / bank_count;
+  banks_.resize(bank_count);
+}
+
+Cycles SdramTiming::refresh(Cycles start) {
+  const std::uint64_t due = (start - next_refresh_) / refresh_period_ + 1;
+  const Cycles last_due = next_refresh_ + (due - 1) * refresh_period_;
+  const Cycles done = std::max(last_due, free_at_) + refresh_;
+  next_refresh_ = last_due + refresh_period_;
+  counters_.refreshes += due;
+  for (Bank& bank : banks_) {
+    bank.row = kNoRow;
+  }
+  return std::max(start, done);
+}
+
+Cycles SdramTiming::dma_start(bool write, Cycles now) {
+  const Cycles turn = write == last_dma_write_ ? 0 : turnaround_;
+  last_dma_write_ = write;
+  return acquire(now) + turn + dma_overhead_ + (write ? twr_ : cl_);
+}
+
+Cycles SdramTiming::dma_words(bool write, Address address, std::int32_t stride, std::uint32_t count,
+                              Cycles start) {
+  Cycles now = start;
+  while (count > 0) {
+    const std::uint64_t page = std::uint64_t{(address - base_) >> page_shift_} << page_shift_;
+    const std::uint64_t page_base = base_ + page;
+    const std::uint32_t here =
+        elements_within(address, stride, count, page_base, page_base + (1ULL << page_shift_));
+    now = open(address, now, write ? twr_ : 0) + here * beat_;
+    count -= here;
+    address += here * static_cast<std::uint32_t>(stride);
+  }
+  release(now, 0);
+  return now;
+}
+
+}  // namespace finback::memory
