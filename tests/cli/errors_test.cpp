@@ -1,0 +1,191 @@
+// What people get wrong: one clear line on stderr, the right exit code, and nothing left behind.
+#include <gmock/gmock.h>
+#include <scenes/luma.hpp>
+
+#include "program.hpp"
+
+namespace finback::cli {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+class Errors : public ProgramTest {
+ protected:
+  // Runs `finback run ... --out results` and checks that it fails as bad input does: exit code 2,
+  // stdout empty, a message that starts with "finback: ", and no file but those that were there.
+  std::string refused(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "run");
+    arguments.insert(arguments.end(), {"--out", "results/deep"});
+    const std::vector<std::string> before = files();
+    const Finished finished = finback(arguments);
+    EXPECT_EQ(finished.exit_code, 2) << finished.err;
+    EXPECT_THAT(finished.out, IsEmpty());
+    EXPECT_THAT(finished.err, StartsWith("finback: "));
+    EXPECT_EQ(files(), before) << "something was left behind";
+    return finished.err;
+  }
+
+  // The same, where the message is a single line.
+  std::string refused_in_a_line(const std::vector<std::string>& arguments) const {
+    std::string message = refused(arguments);
+    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << message;
+    return message;
+  }
+
+  void write_picture(const std::string& name, int width, int height) const {
+    scenes::write_png(scenes::ByteImage(width, height, 100), folder() / name);
+  }
+};
+
+TEST_F(Errors, MissingImage) {
+  write_picture("right.png", 64, 48);
+  EXPECT_THAT(refused_in_a_line({"--left", "absent.png", "--right", "right.png"}),
+              HasSubstr("absent.png"));
+}
+
+TEST_F(Errors, TextAsImage) {
+  write_picture("left.png", 64, 48);
+  write("notes.txt", "no picture\n");
+  EXPECT_THAT(refused_in_a_line({"--left", "left.png", "--right", "notes.txt"}),
+              HasSubstr("notes.txt"));
+}
+
+TEST_F(Errors, EmptyFileAsImage) {
+  write_picture("left.png", 64, 48);
+  write("empty.png", "");
+  EXPECT_THAT(refused_in_a_line({"--left", "left.png", "--right", "empty.png"}),
+              AllOf(HasSubstr("empty.png"), HasSubstr("empty")));
+}
+
+TEST_F(Errors, PairOfDifferentSizes) {
+  write_picture("left.png", 64, 48);
+  write_picture("right.png", 60, 48);
+  EXPECT_THAT(refused_in_a_line({"--left", "left.png", "--right", "right.png"}),
+              AllOf(HasSubstr("64x48"), HasSubstr("60x48")));
+}
+
+TEST_F(Errors, UnknownScene) {
+  EXPECT_THAT(refused_in_a_line({"--scene", "venice"}),
+              AllOf(HasSubstr("venice"), HasSubstr("aloe"), HasSubstr("synthetic")));
+}
+
+TEST_F(Errors, UnknownFirmware) {
+  EXPECT_THAT(refused_in_a_line({"--firmware", "mesvs3"}),
+              AllOf(HasSubstr("'mesvs3'"), HasSubstr("mesvs2")));
+}
+
+TEST_F(Errors, PlacementThatNamesAnUnknownRegion) {
+  write("main.bir", kReturnsZero);
+  write("placement.toml", "[core_a]\ndefault = [\"l1.data.c\"]\n");
+  EXPECT_THAT(refused_in_a_line({"--firmware", "main.bir", "--placement", "placement.toml"}),
+              AllOf(HasSubstr("placement.toml"), HasSubstr("l1.data.c")));
+}
+
+TEST_F(Errors, PlacementThatNamesAnUnknownObject) {
+  write("main.bir", kReturnsZero);
+  write("placement.toml", "[core_a.objects]\n\"absent_buffer\" = \"l2\"\n");
+  EXPECT_THAT(refused_in_a_line({"--firmware", "main.bir", "--placement", "placement.toml"}),
+              AllOf(HasSubstr("placement.toml"), HasSubstr("absent_buffer")));
+}
+
+TEST_F(Errors, RegionThatOverflows) {
+  write("main.bir",
+        std::string(kReturnsZero) + ".bss\n.global _huge_buffer\n_huge_buffer:\n.space 40000\n");
+  write("placement.toml", "[core_a.objects]\n\"huge_buffer\" = \"l1.data.a\"\n");
+  EXPECT_THAT(refused({"--firmware", "main.bir", "--placement", "placement.toml"}),
+              AllOf(HasSubstr("l1.data.a"), HasSubstr("huge_buffer"), HasSubstr("40000")));
+}
+
+TEST_F(Errors, SyntaxErrorInBir) {
+  write("main.bir", ".bir 1\n.text\n.global _main\n_main:\n  R0 = = 1;\n  RTS;\n");
+  EXPECT_THAT(refused_in_a_line({"--firmware", "main.bir"}),
+              ContainsRegex("main\\.bir:5:[0-9]+: "));
+}
+
+TEST_F(Errors, UnknownKeyInAMachineFile) {
+  write("machine.toml", "[memory.l2]\nread_cicles = 12\n");
+  EXPECT_THAT(refused_in_a_line({"--machine", "machine.toml"}),
+              AllOf(ContainsRegex("machine\\.toml:2:"), HasSubstr("read_cicles"),
+                    HasSubstr("read_cycles")));
+}
+
+TEST_F(Errors, OutputFolderThatIsAFile) {
+  write("main.bir", kReturnsZero);
+  write("taken", "");
+  const Finished finished = finback({"run", "--firmware", "main.bir", "--out", "taken"});
+  EXPECT_EQ(finished.exit_code, 2);
+  EXPECT_THAT(finished.err, AllOf(StartsWith("finback: "), HasSubstr("taken")));
+  EXPECT_EQ(files(), (std::vector<std::string>{"main.bir", "taken"}));
+}
+
+TEST_F(Errors, OutputFolderThatCannotBeMade) {
+  write("main.bir", kReturnsZero);
+  write("taken", "");
+  const Finished finished = finback({"run", "--firmware", "main.bir", "--out", "taken/below"});
+  EXPECT_EQ(finished.exit_code, 2);
+  EXPECT_THAT(finished.err, AllOf(StartsWith("finback: "), HasSubstr("taken/below")));
+  EXPECT_EQ(files(), (std::vector<std::string>{"main.bir", "taken"}));
+}
+
+TEST_F(Errors, GuestThatFaults) {
+  write("main.bir",
+        ".bir 1\n.text\n.global _main\n_main:\n  P0.L = 2;\n  P0.H = 0xFEB0;\n  R0 = [P0];\n  "
+        "RTS;\n");
+  EXPECT_THAT(refused_in_a_line({"--firmware", "main.bir"}),
+              AllOf(HasSubstr("core_a"), HasSubstr("main"), HasSubstr("feb00002")));
+}
+
+TEST_F(Errors, GuestThatFails) {
+  write("main.bir", ".bir 1\n.text\n.global _main\n_main:\n  R0 = 3;\n  RTS;\n");
+  EXPECT_THAT(refused_in_a_line({"--firmware", "main.bir"}), HasSubstr("status 3"));
+}
+
+TEST_F(Errors, GuestThatNeverEnds) {
+  write("main.bir", ".bir 1\n.text\n.global _main\n_main:\n.Lagain:\n  JUMP.S .Lagain;\n");
+  EXPECT_THAT(refused_in_a_line({"--firmware", "main.bir", "--max-seconds", "0.001"}),
+              AllOf(HasSubstr("does not end"), HasSubstr("--max-seconds")));
+}
+
+TEST_F(Errors, OfUsage) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{},
+        {"walk"},
+        {"run", "--frames", "0"},
+        {"run", "--frames", "many"},
+        {"run", "--left", "left.png"},
+        {"run", "--colour"},
+        {"run", "--scene", "aloe", "--left", "a.png", "--right", "b.png"}}) {
+    const Finished finished = finback(arguments);
+    EXPECT_EQ(finished.exit_code, 1) << finished.err;
+    EXPECT_THAT(finished.err, StartsWith("finback: "));
+    EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
+  }
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(Errors, InterruptLeavesNothing) {
+  write("main.bir", ".bir 1\n.text\n.global _main\n_main:\n.Lagain:\n  JUMP.S .Lagain;\n");
+  constexpr int kWhileItRuns = 700;
+  const Finished finished =
+      finback({"run", "--firmware", "main.bir", "--max-seconds", "100000", "--out", "results"},
+              kWhileItRuns);
+  EXPECT_EQ(finished.exit_code, 130);
+  EXPECT_EQ(finished.err, "finback: interrupted; nothing was written\n");
+  EXPECT_EQ(files(), (std::vector<std::string>{"main.bir"}));
+}
+
+TEST_F(Errors, MissedTargetWithCheckIsThree) {
+  write("main.bir", kReturnsZero);
+  const std::vector<std::string> run = {"run", "--firmware", "main.bir", "--out", "results"};
+  EXPECT_EQ(finback(run).exit_code, 0);
+  std::vector<std::string> checked = run;
+  checked.emplace_back("--check");
+  EXPECT_EQ(finback(checked).exit_code, 3);
+}
+
+}  // namespace
+}  // namespace finback::cli

@@ -1,0 +1,202 @@
+// What a good run writes and prints.
+#include <gmock/gmock.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <scenes/luma.hpp>
+#include <set>
+
+#include "../report/schema_check.hpp"
+#include "program.hpp"
+#include <common/file.hpp>
+
+namespace finback::cli {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using Counters = std::map<std::string, std::uint64_t>;
+
+constexpr const char* kRefresh = "scripts/refresh-traces.sh";
+
+class Output : public ProgramTest {
+ protected:
+  [[nodiscard]] json result(const std::string& out) const {
+    return json::parse(read_text_file(folder() / out / "result.json"));
+  }
+};
+
+// One line for each counter that differs; a few, and how many more.
+std::string differences(const Counters& golden, const Counters& now) {
+  constexpr std::size_t kShown = 40;
+  std::vector<std::string> lines;
+  const auto text = [](const Counters& counters, const std::string& name) {
+    const auto found = counters.find(name);
+    return found == counters.end() ? "absent" : std::to_string(found->second);
+  };
+  std::set<std::string> names;
+  for (const Counters* counters : {&golden, &now}) {
+    for (const auto& [name, value] : *counters) {
+      names.insert(name);
+    }
+  }
+  for (const std::string& name : names) {
+    if (text(golden, name) != text(now, name)) {
+      lines.push_back(name + ": was " + text(golden, name) + ", is " + text(now, name));
+    }
+  }
+  std::string all;
+  for (std::size_t i = 0; i < std::min(kShown, lines.size()); ++i) {
+    all += lines[i] + "\n";
+  }
+  return lines.size() > kShown ? all + "and " + std::to_string(lines.size() - kShown) + " more\n"
+                               : all;
+}
+
+// Two runs are compared with each other, and with the golden trace.
+TEST_F(Output, OfTheDefaultRunRepeatsAndFollowsItsGoldenTrace) {
+  const std::vector<std::string> common = {"run", "--scene", "aloe", "--frames", "4"};
+  for (const std::string out : {"first", "second"}) {
+    std::vector<std::string> arguments = common;
+    arguments.insert(arguments.end(), {"--out", out, "--trace-counters", out + ".json"});
+    const Finished finished = finback(arguments);
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_THAT(finished.out, HasSubstr("\nVerdict: "));
+    EXPECT_THAT(finished.out, HasSubstr("bad_pixels"));
+  }
+  for (const char* file : {"result.json", "disparity_0000.png", "disparity_0003.png"}) {
+    EXPECT_EQ(read_text_file(folder() / "first" / file), read_text_file(folder() / "second" / file))
+        << file << " differs between two runs";
+  }
+  EXPECT_EQ(files(),
+            (std::vector<std::string>{
+                "first", "first.json", "first/disparity_0000.png", "first/disparity_0001.png",
+                "first/disparity_0002.png", "first/disparity_0003.png", "first/result.json",
+                "second", "second.json", "second/disparity_0000.png", "second/disparity_0001.png",
+                "second/disparity_0002.png", "second/disparity_0003.png", "second/result.json"}));
+
+  const json schema = json::parse(read_text_file(FINBACK_SOURCE_DIR "/report/result.schema.json"));
+  EXPECT_EQ(report::schema_complaints(schema, result("first")), std::vector<std::string>{});
+
+  const json golden = json::parse(read_text_file(FINBACK_SOURCE_DIR "/traces/mesvs2_aloe.json"));
+  const json now = json::parse(read_text_file(folder() / "first.json"));
+  EXPECT_EQ(differences(golden.get<Counters>(), now.get<Counters>()), "")
+      << "if this is meant, run " << kRefresh << " and review the change";
+}
+
+TEST_F(Output, AddsUp) {
+  const Finished finished = finback({"run", "--scene", "synthetic", "--frames", "2", "--out", "o"});
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  const json r = result("o");
+  for (const auto& [name, core] : r["cores"].items()) {
+    ASSERT_TRUE(core["started"].get<bool>()) << name;
+    std::uint64_t cycles = core["issue_cycles"];
+    for (const auto& [cause, stall] : core["stall_cycles"].items()) {
+      cycles += stall.get<std::uint64_t>();
+    }
+    EXPECT_EQ(cycles, core["cycles"]) << name;
+    std::uint64_t exclusive = 0;
+    for (const json& function : r["functions"]) {
+      exclusive += function["core"] == name ? function["exclusive_cycles"].get<std::uint64_t>() : 0;
+    }
+    EXPECT_EQ(exclusive, core["cycles"]) << name;
+  }
+  // Bytes by object sum to bytes by level.
+  for (const auto& [level, initiators] : r["traffic"].items()) {
+    for (const auto& [initiator, bytes] : initiators.items()) {
+      std::uint64_t read = 0;
+      std::uint64_t written = 0;
+      for (const json& object : r["objects"]) {
+        if (object["level"] == level && object["accesses"].contains(initiator)) {
+          read += object["accesses"][initiator]["read_bytes"].get<std::uint64_t>();
+          written += object["accesses"][initiator]["write_bytes"].get<std::uint64_t>();
+        }
+      }
+      EXPECT_EQ(read, bytes["read_bytes"]) << level << " " << initiator;
+      EXPECT_EQ(written, bytes["write_bytes"]) << level << " " << initiator;
+    }
+  }
+  double watts = 0;
+  for (const json& part : r["power"]["components"]) {
+    watts += part["watts"].get<double>();
+  }
+  EXPECT_NEAR(watts, r["power_watts"].get<double>(), 1e-9);
+  EXPECT_GT(r["frames_per_second"].get<double>(), 0);
+  EXPECT_FALSE(r["accuracy"].is_null());
+  EXPECT_FALSE(r["stages"].empty());
+}
+
+TEST_F(Output, OfOwnPicturesHasNoAccuracy) {
+  // A colour-free texture of odd size; the right view sees everything 20 pixels further left.
+  constexpr int kWidth = 700;
+  constexpr int kHeight = 500;
+  scenes::ByteImage left(kWidth, kHeight);
+  scenes::ByteImage right(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      left.at(x, y) = static_cast<std::uint8_t>((x / 4 * 37 + y / 4 * 91 + x / 4 * (y / 4)) % 251);
+    }
+  }
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      right.at(x, y) = left.at(std::min(x + 20, kWidth - 1), y);
+    }
+  }
+  scenes::write_png(left, folder() / "left.png");
+  scenes::write_png(right, folder() / "right.png");
+  const Finished finished =
+      finback({"run", "--left", "left.png", "--right", "right.png", "--frames", "1", "--out", "o"});
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_TRUE(result("o")["accuracy"].is_null());
+  const scenes::ByteImage map = scenes::load_luma(folder() / "o" / "disparity_0000.png");
+  EXPECT_EQ(map.width(), 160);
+  EXPECT_EQ(map.height(), 120);
+}
+
+TEST_F(Output, OfABareProgramHasNoFrames) {
+  write("main.bir", kReturnsZero);
+  const Finished finished = finback({"run", "--firmware", "main.bir", "--out", "o"});
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  const json r = result("o");
+  EXPECT_EQ(r["frames"], json::array());
+  EXPECT_EQ(r["frames_per_second"], 0.0);
+  EXPECT_FALSE(r["cores"]["core_b"]["started"].get<bool>());
+  EXPECT_EQ(r["targets"]["frames_per_second"]["verdict"], "fail");
+}
+
+TEST_F(Output, HasNoTraceOfWhereItRan) {
+  write("main.bir", kReturnsZero);
+  const Finished finished = finback({"run", "--firmware", "main.bir", "--out", "o"});
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  const std::string text = read_text_file(folder() / "o" / "result.json");
+  EXPECT_EQ(text.find(folder().string()), std::string::npos);
+  EXPECT_EQ(text.find(FINBACK_SOURCE_DIR), std::string::npos);
+}
+
+TEST_F(Output, ReplacesThatOfAnEarlierRun) {
+  write("main.bir", kReturnsZero);
+  const std::vector<std::string> run = {"run", "--firmware", "main.bir", "--out", "o"};
+  ASSERT_EQ(finback(run).exit_code, 0);
+  write("o/result.json", "old");
+  ASSERT_EQ(finback(run).exit_code, 0);
+  EXPECT_EQ(result("o")["schema_version"], 1);
+  EXPECT_EQ(files(), (std::vector<std::string>{"main.bir", "o", "o/result.json"}));
+}
+
+TEST_F(Output, OfHelpAndVersion) {
+  const Finished version = finback({"--version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_THAT(version.out, ::testing::MatchesRegex("finback [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  const Finished help = finback({"run", "--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_THAT(help.out, HasSubstr("finback run --scene aloe --frames 4 --out out/aloe"));
+}
+
+TEST_F(Output, OfMachineListsParameters) {
+  const Finished finished = finback({"machine"});
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_THAT(finished.out, HasSubstr("memory.l2.read_cycles"));
+  EXPECT_THAT(finished.out, HasSubstr("clock.cclk_mhz"));
+}
+
+}  // namespace
+}  // namespace finback::cli

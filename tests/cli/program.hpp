@@ -1,0 +1,50 @@
+// Runs programs as a shell would, and gives each test a folder of its own.
+#pragma once
+
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace finback::cli {
+
+struct Finished {
+  int exit_code = -1;  // 128 + number when a signal ended it
+  std::string out;
+  std::string err;
+};
+
+// Runs a program to its end in folder `where`; when `interrupt_after_ms` is not negative, sends it
+// SIGINT so many milliseconds after its start.
+[[nodiscard]] Finished run_program(const std::vector<std::string>& command,
+                                   const std::filesystem::path& where, int interrupt_after_ms = -1);
+
+class ProgramTest : public ::testing::Test {
+ protected:
+  ProgramTest();
+  ~ProgramTest() override;
+
+  // Runs `finback` with these arguments in the test's folder.
+  [[nodiscard]] Finished finback(std::vector<std::string> arguments,
+                                 int interrupt_after_ms = -1) const;
+  // Writes a file into the test's folder and returns its name.
+  std::string write(const std::string& name, std::string_view text) const;
+  // What the test's folder holds, hidden files too, in order.
+  [[nodiscard]] std::vector<std::string> files() const;
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+// The smallest firmware: core A returns 0 from main.
+inline constexpr std::string_view kReturnsZero =
+    ".bir 1\n"
+    ".text\n"
+    ".global _main\n"
+    "_main:\n"
+    "  R0 = 0;\n"
+    "  RTS;\n";
+
+}  // namespace finback::cli
