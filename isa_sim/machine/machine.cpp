@@ -1,0 +1,194 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <common/error.hpp>
+#include <isa_sim/core/core.hpp>
+#include <isa_sim/machine/device_bus.hpp>
+#include <isa_sim/machine/machine.hpp>
+#include <isa_sim/machine/machine_description.hpp>
+
+namespace finback::machine {
+
+namespace {
+
+std::vector<memory::ObjectPlace> places_of(const ir::Image& image, const memory::MemoryMap& map) {
+  constexpr std::array<const char*, 3> kOwners = {"core_a", "core_b", "shared"};
+  std::vector<memory::ObjectPlace> places;
+  for (const ir::PlacedObject& object : image.objects) {
+    places.push_back({object.name, kOwners[static_cast<std::size_t>(object.owner)], object.address,
+                      object.size});
+  }
+  // Code outside L1 lies among data; code in L1 instruction memory is out of reach of loads and
+  // stores.
+  for (std::size_t core = 0; core < image.cores.size(); ++core) {
+    for (const ir::PlacedFunction& function : image.cores[core].functions) {
+      const memory::Region* region = map.find(function.address);
+      if (region != nullptr && region->level != memory::Level::l1) {
+        places.push_back({function.name, kOwners[core], function.address, function.size});
+      }
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+class Machine::Implementation final : public core::SystemPort {
+ public:
+  Implementation(const MachineDescription& description, const ir::Image& image)
+      : image_(image),
+        lookahead_(static_cast<Cycles>(std::int64_t{description.devices.intercore_latency})),
+        tick_(static_cast<Cycles>(std::llround(description.clock.cclk_mhz * 1000))),
+        memory_(description.map, description.memory, description.clock,
+                places_of(image, description.map)),
+        bus_(description, memory_,
+             {.lines_changed =
+                  [this](int core, std::uint32_t pending_ivg, bool wake, Cycles at) {
+                    core_at(core).set_requests(pending_ivg, wake, at);
+                  },
+              .core_b_released =
+                  [this](Cycles at) {
+                    if (image_.cores[1].present && !cores_[1]->started()) {
+                      cores_[1]->start(at);
+                    }
+                  }}) {
+    for (std::size_t i = 0; i < cores_.size(); ++i) {
+      cores_[i] = std::make_unique<core::Core>(
+          static_cast<CoreId>(i), image.cores[i], description.core,
+          static_cast<Cycles>(std::int64_t{description.devices.core_register_cycles}), memory_,
+          *this);
+    }
+    for (const ir::PlacedObject& object : image.objects) {
+      memory_.store_bytes(object.address, object.initial);
+    }
+    memory_.register_counters(counters_);
+    for (const auto& core : cores_) {
+      core->register_counters(counters_);
+    }
+    bus_.host().set_exit([this](std::uint32_t status, Cycles at) {
+      exit_ = StopInfo{Stop::exited, status, at};
+      running_->shorten_turn(0);
+    });
+    core_at(0).start(0);
+  }
+
+  Read device_read(int core, Address address, int bytes, Cycles now) override {
+    const DeviceRead read = bus_.read(core, address, bytes, now);
+    core_at(core).shorten_turn(bus_.next_event_time());
+    return {read.value, read.stall};
+  }
+  Cycles device_write(int core, Address address, int bytes, std::uint32_t value,
+                      Cycles now) override {
+    const Cycles stall = bus_.write(core, address, bytes, value, now);
+    core_at(core).shorten_turn(bus_.next_event_time());
+    return stall;
+  }
+  [[nodiscard]] Cycles device_writes_drained_at(int core) const override {
+    return bus_.writes_drained_at(core);
+  }
+
+  StopInfo run(const RunLimits& limits) {
+    Cycles next_question = 0;
+    for (;;) {
+      if (exit_) {
+        return stopped(*exit_);
+      }
+      core::Core* runner = earliest_core();
+      const Cycles event = bus_.next_event_time();
+      if (runner == nullptr && event == kNever) {
+        return stopped({Stop::deadlock, 0, latest_time()});
+      }
+      const Cycles now = runner == nullptr ? event : std::min(runner->time(), event);
+      if (now >= limits.cycles) {
+        return stopped({Stop::cycle_limit, 0, limits.cycles});
+      }
+      if (limits.cancelled && now >= next_question) {
+        if (limits.cancelled(now)) {
+          return stopped({Stop::cancelled, 0, now});
+        }
+        next_question = now + tick_;
+      }
+      if (runner == nullptr || event <= runner->time()) {
+        bus_.advance(event);
+        continue;
+      }
+      running_ = runner;
+      runner->run(turn_of(
+          *runner, std::min({event, limits.cycles, limits.cancelled ? next_question : kNever})));
+    }
+  }
+
+  [[nodiscard]] core::Core& core_at(int number) {
+    return *cores_[static_cast<std::size_t>(number)];
+  }
+
+  HostPort& host() { return bus_.host(); }
+  memory::MemorySystem& memory() { return memory_; }
+  [[nodiscard]] const CounterRegistry& counters() const { return counters_; }
+
+ private:
+  [[nodiscard]] static bool active(const core::Core& core) {
+    return core.started() && !core.sleeping();
+  }
+
+  // Of equal times core A's comes first.
+  [[nodiscard]] core::Core* earliest_core() {
+    core::Core& a = *cores_[0];
+    core::Core& b = *cores_[1];
+    if (active(a) && active(b)) {
+      return b.time() < a.time() ? &b : &a;
+    }
+    return active(a) ? &a : active(b) ? &b : nullptr;
+  }
+
+  // How far `runner` may go: to the next event; no further beyond the other core than a signal from
+  // there takes; and on shared things only while it is the earliest.
+  [[nodiscard]] core::Core::Turn turn_of(const core::Core& runner, Cycles until) {
+    core::Core::Turn turn{until, until};
+    const bool is_a = &runner == cores_[0].get();
+    const core::Core& other = *cores_[is_a ? 1 : 0];
+    if (active(other)) {
+      turn.horizon = std::min(turn.horizon, other.time() + lookahead_);
+      turn.shared_until = std::min(turn.shared_until, other.time() + (is_a ? 1 : 0));
+    }
+    return turn;
+  }
+
+  [[nodiscard]] Cycles latest_time() const {
+    return std::max(cores_[0]->time(), cores_[1]->time());
+  }
+
+  StopInfo stopped(const StopInfo& info) {
+    for (const auto& core : cores_) {
+      core->settle(info.time);
+    }
+    return info;
+  }
+
+  const ir::Image& image_;
+  Cycles lookahead_;
+  Cycles tick_;  // a millisecond
+  memory::MemorySystem memory_;
+  std::array<std::unique_ptr<core::Core>, kCoreCount> cores_;
+  DeviceBus bus_;
+  CounterRegistry counters_;
+  std::optional<StopInfo> exit_;
+  core::Core* running_ = nullptr;
+};
+
+Machine::Machine(const MachineDescription& description, const ir::Image& image)
+    : implementation_(std::make_unique<Implementation>(description, image)) {}
+Machine::~Machine() = default;
+
+HostPort& Machine::host() { return implementation_->host(); }
+memory::MemorySystem& Machine::memory() { return implementation_->memory(); }
+StopInfo Machine::run(const RunLimits& limits) { return implementation_->run(limits); }
+const CounterRegistry& Machine::counters() const { return implementation_->counters(); }
+core::CoreProfile Machine::profile(CoreId core) const {
+  return implementation_->core_at(static_cast<int>(core)).profile();
+}
+
+}  // namespace finback::machine
