@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Writes the golden traces anew from the present build (traces/README.md). Review what changes
+# before you commit it: git diff traces.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+cmake --preset release
+cmake --build build/release --parallel "$(nproc)"
+out=$(mktemp --directory)
+trap 'rm -r "$out"' EXIT
+build/release/bin/finback run --scene aloe --frames 4 --out "$out" \
+  --trace-counters traces/mesvs2_aloe.json
+git --no-pager diff --stat -- traces
