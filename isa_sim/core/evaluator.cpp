@@ -1,0 +1,266 @@
+#include <algorithm>
+#include <fmt/format.h>
+
+#include <common/error.hpp>
+#include <isa_sim/core/block_builder.hpp>
+#include <isa_sim/core/evaluator.hpp>
+#include <isa_sim/core/pipeline.hpp>
+#include <isa_sim/isa/syntax.hpp>
+
+namespace finback::core {
+
+using isa::ExecutionState;
+using isa::Operation;
+
+namespace {
+
+const isa::Instruction& info_of(const ir::PlacedInstruction& instruction) {
+  return isa::instruction_table()[static_cast<std::size_t>(instruction.instruction)];
+}
+Cycles cycles_of(const IntegerParameter& parameter) {
+  return static_cast<Cycles>(std::int64_t{parameter});
+}
+
+// The registers that operand `index` of `instruction` stands for.
+std::vector<int> registers_of(const ir::PlacedInstruction& instruction, int index) {
+  const isa::OperandRole& role = isa::roles_of(instruction.instruction)[index];
+  const std::int32_t value = instruction.operand[static_cast<std::size_t>(index)];
+  std::vector<int> registers;
+  if (role.kind == isa::OperandKind::data_list || role.kind == isa::OperandKind::pointer_list) {
+    const int end = role.kind == isa::OperandKind::data_list ? isa::R7 : isa::P5;
+    for (int reg = (role.kind == isa::OperandKind::data_list ? isa::R0 : isa::P0) + value;
+         reg <= end; ++reg) {
+      registers.push_back(reg);
+    }
+  } else if (isa::is_register(role.kind)) {
+    registers.push_back(isa::register_of(value));
+  }
+  return registers;
+}
+
+}  // namespace
+
+struct Evaluator::Hooks {
+  static Evaluator& self(ExecutionState& state) { return *static_cast<Evaluator*>(state.engine); }
+
+  static std::uint8_t* access(ExecutionState& state, const Operation&, Address address, int bytes,
+                              bool write, bool) {
+    Evaluator& e = self(state);
+    memory::Span* span = e.memory_.find_span(e.core_, address);
+    if (span == nullptr || (address & static_cast<Address>(bytes - 1)) != 0) {
+      throw GuestFault(e.memory_.core_fault(e.core_, address, bytes, write));
+    }
+    if (span->level != memory::Level::l1) {
+      throw GuestFault("the plain evaluator knows only a core's own L1");
+    }
+    return span->at(address);
+  }
+  static bool device_read(ExecutionState&, const Operation&, Address, int, std::uint32_t&) {
+    throw GuestFault("the plain evaluator has no devices");
+  }
+  static bool device_write(ExecutionState&, const Operation&, Address, int, std::uint32_t) {
+    throw GuestFault("the plain evaluator has no devices");
+  }
+  static bool test_and_set(ExecutionState&, const Operation&, Address, std::uint8_t&) {
+    throw GuestFault("the plain evaluator has no shared memory");
+  }
+  static void system(ExecutionState& state, const Operation&, isa::SystemAction action,
+                     std::uint32_t) {
+    self(state).idle_ |= action == isa::SystemAction::idle;
+  }
+};
+
+Evaluator::Evaluator(int core, const ir::CoreImage& image, const CoreParameters& parameters,
+                     memory::MemorySystem& memory)
+    : core_(core),
+      image_(image),
+      parameters_(parameters),
+      memory_(memory),
+      hooks_{Hooks::access, Hooks::device_read, Hooks::device_write, Hooks::test_and_set,
+             Hooks::system} {
+  state_.hooks = &hooks_;
+  state_.engine = this;
+  state_.reg[isa::SP] = image.stack_top;
+  state_.reg[isa::FP] = image.stack_top;
+  state_.next_address = image.entry;
+}
+
+const ir::PlacedPacket& Evaluator::packet_at(Address address) const {
+  const auto found =
+      std::ranges::lower_bound(image_.packets, address, {}, &ir::PlacedPacket::address);
+  if (found == image_.packets.end() || found->address != address) {
+    throw GuestFault(fmt::format("jump to {:#010x}, where no instruction is", address));
+  }
+  return *found;
+}
+
+bool Evaluator::run(std::uint64_t max_packets) {
+  while (!idle_ && packets_ < max_packets) {
+    execute(packet_at(state_.next_address));
+  }
+  return idle_;
+}
+
+void Evaluator::execute(const ir::PlacedPacket& packet) {
+  ++packets_;
+  Cycles issue_at = next_issue_;
+  Cycles length = 1;
+  const Pipeline pipeline(parameters_);
+  for (std::size_t slot = 0; slot < packet.count; ++slot) {
+    stall_for_operands(packet.slots[slot], issue_at);
+    length = std::max(length, pipeline.issue_cycles(packet.slots[slot]));
+  }
+  Cycles end = issue_at + length;
+  for (std::size_t slot = 0; slot < packet.count; ++slot) {
+    note_results(packet.slots[slot], end);
+  }
+  charge_sub_bank(packet, end);
+
+  // Every slot runs on the state before the packet; what it changes is merged afterwards.
+  const Address fall_through = packet.address + packet.length;
+  const ExecutionState before = state_;
+  state_.time = issue_at;
+  state_.next_address = fall_through;
+  for (std::size_t slot = 0; slot < packet.count; ++slot) {
+    ExecutionState copy = before;
+    copy.next_address = fall_through;
+    Operation operation;
+    operation.execute = info_of(packet.slots[slot]).execute;
+    operation.operand = packet.slots[slot].operand;
+    operation.window = no_window();
+    operation.length = packet.length;
+    operation.address = packet.address;
+    operation.execute(copy, &operation);
+    merge(before, copy);
+    if (copy.next_address != fall_through) {
+      state_.next_address = copy.next_address;
+    }
+  }
+
+  const isa::Flow flow = info_of(packet.slots[0]).flow;
+  const bool taken = state_.next_address != fall_through;
+  const bool conditional = flow == isa::Flow::branch || flow == isa::Flow::branch_predicted;
+  if (conditional && taken != (flow == isa::Flow::branch_predicted)) {
+    end += cycles_of(parameters_.branch_mispredicted) - 1;
+  } else if (taken || flow == isa::Flow::jump || flow == isa::Flow::call ||
+             flow == isa::Flow::ret) {
+    end += cycles_of(parameters_.branch_taken) - 1;
+  }
+  for (const int loop : {1, 0}) {
+    std::uint32_t& count = state_.reg[static_cast<std::size_t>(isa::LC0 + loop)];
+    if (!taken && count != 0 &&
+        state_.reg[static_cast<std::size_t>(isa::LB0 + loop)] == packet.address && --count != 0) {
+      state_.next_address = state_.reg[static_cast<std::size_t>(isa::LT0 + loop)];
+      break;
+    }
+  }
+  next_issue_ = end;
+}
+
+void Evaluator::merge(const ExecutionState& before, const ExecutionState& after) {
+  for (std::size_t reg = 0; reg < before.reg.size(); ++reg) {
+    if (after.reg[reg] != before.reg[reg]) {
+      state_.reg[reg] = after.reg[reg];
+    }
+  }
+  for (std::size_t i = 0; i < before.accumulator.size(); ++i) {
+    if (after.accumulator[i] != before.accumulator[i]) {
+      state_.accumulator[i] = after.accumulator[i];
+    }
+  }
+  if (after.astat() != before.astat()) {
+    state_.set_astat((state_.astat() & ~(before.astat() ^ after.astat())) |
+                     (after.astat() & (before.astat() ^ after.astat())));
+  }
+  if (after.interrupt_mask != before.interrupt_mask) {
+    state_.interrupt_mask = after.interrupt_mask;
+  }
+}
+
+void Evaluator::stall_for_operands(const ir::PlacedInstruction& instruction,
+                                   Cycles& issue_at) const {
+  const isa::Instruction& info = info_of(instruction);
+  const isa::OperandRoles& roles = isa::roles_of(instruction.instruction);
+  for (int i = 0; i < roles.count; ++i) {
+    for (const int reg : roles[i].read ? registers_of(instruction, i) : std::vector<int>{}) {
+      if (roles[i].address_stage) {
+        issue_at = std::max(issue_at, address_ready_[static_cast<std::size_t>(reg)]);
+      } else if (info.needs == isa::Needs::ex1) {
+        issue_at = std::max(issue_at, ex1_ready_[static_cast<std::size_t>(reg)]);
+      }
+    }
+  }
+  if ((info.implicit & isa::kReadsSp) != 0) {
+    issue_at = std::max(issue_at, address_ready_[isa::SP]);
+  }
+  if ((info.implicit & isa::kReadsFp) != 0) {
+    issue_at = std::max(issue_at, address_ready_[isa::FP]);
+  }
+}
+
+void Evaluator::note_results(const ir::PlacedInstruction& instruction, Cycles done) {
+  const isa::Instruction& info = info_of(instruction);
+  const isa::OperandRoles& roles = isa::roles_of(instruction.instruction);
+  bool from_address_register = false;
+  for (int i = 0; i < roles.count; ++i) {
+    if (roles[i].read && !roles[i].written) {
+      for (const int reg : registers_of(instruction, i)) {
+        from_address_register |= isa::is_address_register(reg);
+      }
+    }
+  }
+  const auto ready = [&](int reg, bool stepped) {
+    const bool data = isa::is_data_register(reg);
+    Cycles& address_ready = address_ready_[static_cast<std::size_t>(reg)];
+    Cycles& ex1_ready = ex1_ready_[static_cast<std::size_t>(reg)];
+    address_ready = done;
+    ex1_ready = done;
+    if (data && info.result != isa::Result::load) {
+      ex1_ready += cycles_of(parameters_.alu_to_ex1);
+    } else if (!data && !stepped && info.result == isa::Result::load) {
+      address_ready += cycles_of(parameters_.load_to_address);
+    } else if (!data && !stepped && info.result == isa::Result::move && !from_address_register) {
+      address_ready += cycles_of(parameters_.move_to_address);
+    }
+  };
+  for (int i = 0; i < roles.count; ++i) {
+    for (const int reg : roles[i].written ? registers_of(instruction, i) : std::vector<int>{}) {
+      ready(reg, roles[i].address_stage);
+    }
+  }
+  if ((info.implicit & isa::kWritesSp) != 0) {
+    ready(isa::SP, true);
+  }
+  if ((info.implicit & isa::kWritesFp) != 0) {
+    ready(isa::FP, info.result == isa::Result::pointer);
+  }
+}
+
+void Evaluator::charge_sub_bank(const ir::PlacedPacket& packet, Cycles& end) const {
+  std::vector<Address> accesses;
+  for (std::size_t slot = 0; slot < packet.count; ++slot) {
+    const ir::PlacedInstruction& instruction = packet.slots[slot];
+    if (packet.count == 1 || info_of(instruction).memory == isa::MemoryUse::none) {
+      continue;
+    }
+    const isa::OperandRoles& roles = isa::roles_of(instruction.instruction);
+    for (int i = 0; i < roles.count; ++i) {
+      if (roles[i].address_stage) {
+        Address address =
+            state_.reg[static_cast<std::size_t>(instruction.operand[static_cast<std::size_t>(i)])];
+        if (i + 1 < roles.count && !isa::is_register(roles[i + 1].kind)) {
+          address += static_cast<Address>(instruction.operand[static_cast<std::size_t>(i + 1)]);
+        }
+        accesses.push_back(address);
+        break;
+      }
+    }
+  }
+  const Address bank = static_cast<Address>(std::int64_t{parameters_.sub_bank_bytes});
+  if (accesses.size() == 2 && accesses[0] / bank == accesses[1] / bank &&
+      ((accesses[0] ^ accesses[1]) & 4) == 0) {
+    end += cycles_of(parameters_.sub_bank_conflict);
+  }
+}
+
+}  // namespace finback::core
