@@ -34,8 +34,8 @@ struct MachineDescription {
   [[nodiscard]] std::vector<const ParameterBase*> parameters() const;
   // Sets one by its dotted name. Throws InputError for an unknown name (with the nearest known one)
   // and for a value that the parameter refuses.
-  void set(std::string_view name, double value);
-  [[nodiscard]] double get(std::string_view name) const;
+  void set(std::string_view parameter, double value);
+  [[nodiscard]] double get(std::string_view parameter) const;
   // A copy of its own, to vary.
   [[nodiscard]] std::unique_ptr<MachineDescription> clone() const;
 };
