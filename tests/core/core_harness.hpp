@@ -1,0 +1,80 @@
+// Runs a piece of BIR on one core with everything in its L1, for tests of meaning and of time.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <isa_sim/core/core.hpp>
+#include <isa_sim/core/evaluator.hpp>
+#include <isa_sim/ir/firmware.hpp>
+#include <isa_sim/ir/linker.hpp>
+#include <isa_sim/ir/parser.hpp>
+#include <isa_sim/ir/verifier.hpp>
+
+namespace finback::core {
+
+// A core whose machine has no devices and whose turn never ends.
+class CoreHarness : public SystemPort {
+ public:
+  // `text`: BIR without its head line; a function `_start` that ends in IDLE.
+  explicit CoreHarness(const std::string& text) {
+    ir::Program program = ir::parse(".bir 1\n" + text, "test.bir");
+    ir::verify(program);
+    const ir::Firmware firmware = ir::bare_firmware(std::move(program));
+    image_ = ir::link(firmware.units, firmware.placement, memory::bf561_map());
+    std::vector<memory::ObjectPlace> places;
+    for (const ir::PlacedObject& object : image_.objects) {
+      places.push_back({object.name, "core_a", object.address, object.size});
+    }
+    memory_ = std::make_unique<memory::MemorySystem>(memory::bf561_map(), memory_parameters_,
+                                                     clock_, places);
+    for (const ir::PlacedObject& object : image_.objects) {
+      memory_->store_bytes(object.address, object.initial);
+    }
+  }
+
+  // Runs to IDLE; returns the cycles it took.
+  Cycles run() {
+    core_ = std::make_unique<Core>(CoreId::a, image_.cores[0], parameters_, 1, *memory_, *this);
+    core_->start(0);
+    while (!core_->sleeping()) {
+      core_->run({});
+    }
+    return core_->profile().cycles;
+  }
+  Cycles evaluate(std::uint64_t max_packets = 1'000'000) {
+    evaluator_ = std::make_unique<Evaluator>(0, image_.cores[0], parameters_, *memory_);
+    if (!evaluator_->run(max_packets)) {
+      throw std::runtime_error("the program did not reach IDLE");
+    }
+    return evaluator_->cycles();
+  }
+
+  [[nodiscard]] Core& core() { return *core_; }
+  [[nodiscard]] const Evaluator& evaluator() const { return *evaluator_; }
+  [[nodiscard]] std::uint32_t reg(isa::Register reg) { return core_->state().reg[reg]; }
+  [[nodiscard]] CoreParameters& parameters() { return parameters_; }
+  [[nodiscard]] memory::MemorySystem& memory() { return *memory_; }
+  [[nodiscard]] const ir::Image& image() const { return image_; }
+
+  Read device_read(int, Address, int, Cycles) override { return {}; }
+  Cycles device_write(int, Address, int, std::uint32_t, Cycles) override { return 0; }
+  [[nodiscard]] Cycles device_writes_drained_at(int) const override { return 0; }
+
+ private:
+  CoreParameters parameters_;
+  memory::MemoryParameters memory_parameters_;
+  memory::ClockParameters clock_;
+  ir::Image image_;
+  std::unique_ptr<memory::MemorySystem> memory_;
+  std::unique_ptr<Core> core_;
+  std::unique_ptr<Evaluator> evaluator_;
+};
+
+// `body` as the whole of _start, and its cycles without the closing IDLE.
+[[nodiscard]] inline std::string program(const std::string& body, const std::string& data = "") {
+  return ".text\n.global _start\n.type _start, @function\n_start:\n" + body +
+         "\nIDLE;\n.size _start, .-_start\n" + data;
+}
+
+}  // namespace finback::core
