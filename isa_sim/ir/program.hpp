@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,12 @@ struct Program {
 }
 
 // Bytes that a packet takes: its instruction's 2 or 4, or 8 when several issue together.
-[[nodiscard]] std::uint32_t packet_length(const Packet& packet);
+[[nodiscard]] inline std::uint32_t packet_length(const Packet& packet,
+                                                 std::span<const isa::Instruction> table) {
+  return packet.slots.size() > 1
+             ? 8
+             : static_cast<std::uint32_t>(
+                   table[static_cast<std::size_t>(packet.slots[0].instruction)].length);
+}
 
 }  // namespace finback::ir

@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+#include <common/file.hpp>
+#include <isa_sim/ir/firmware.hpp>
+#include <isa_sim/ir/parser.hpp>
+#include <isa_sim/ir/toml_reader.hpp>
+#include <isa_sim/ir/verifier.hpp>
+
+namespace finback::ir {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Reads each unit once, however many cores name it.
+class UnitLoader {
+ public:
+  UnitLoader(const TomlReader& reader, fs::path folder)
+      : reader_(reader), folder_(std::move(folder)) {}
+
+  std::vector<Unit> load(const toml::table& section, std::string_view where) {
+    const toml::node* node = section.get("units");
+    if (node == nullptr) {
+      reader_.fail(section, fmt::format("{} wants units = [\"a.bir\", ...]", where));
+    }
+    std::vector<Unit> units;
+    std::vector<std::string> seen;
+    for (const std::string& name : reader_.strings(*node, "units")) {
+      if (std::ranges::count(seen, name) > 0) {
+        reader_.fail(*node, fmt::format("{} names {} twice", where, name));
+      }
+      seen.push_back(name);
+      units.push_back(load_one(*node, name));
+    }
+    return units;
+  }
+
+ private:
+  Unit load_one(const toml::node& node, const std::string& name) {
+    Unit& unit = units_[name];
+    if (unit == nullptr) {
+      const fs::path path = folder_ / name;
+      std::error_code error;
+      if (!fs::exists(path, error)) {
+        reader_.fail(node, fmt::format("unit {} is not there", path.string()));
+      }
+      unit = std::make_shared<const Program>(load_program(path));
+    }
+    return unit;
+  }
+
+  const TomlReader& reader_;
+  fs::path folder_;
+  std::map<std::string, Unit> units_;
+};
+
+std::vector<Stage> read_stages(const TomlReader& reader) {
+  std::vector<Stage> stages;
+  const toml::table* table = reader.table(reader.root(), "stages");
+  if (table == nullptr) {
+    return stages;
+  }
+  for (const auto& [name, node] : TomlReader::in_order(*table)) {
+    const toml::table* stage = node->as_table();
+    if (stage == nullptr) {
+      reader.fail(*node, "a stage is { core = \"a\", function = \"name\" }");
+    }
+    reader.check_keys(*stage, "a stage", {"core", "function"});
+    const std::string core = reader.string(*stage, "core");
+    const std::string function = reader.string(*stage, "function");
+    if ((core != "a" && core != "b") || function.empty()) {
+      reader.fail(*node, "a stage names its core (\"a\" or \"b\") and its function");
+    }
+    stages.push_back({name, core == "a" ? Owner::core_a : Owner::core_b, function});
+  }
+  return stages;
+}
+
+Firmware load_manifest(const fs::path& path) {
+  const TomlReader reader(read_text_file(path), path.string());
+  const toml::table& root = reader.root();
+  reader.check_keys(root, "a firmware manifest",
+                    {"name", "placement", "core_a", "core_b", "shared", "stages"});
+  Firmware firmware;
+  FirmwareUnits& units = firmware.units;
+  units.name = reader.string(root, "name");
+  if (units.name.empty()) {
+    units.name = path.stem().string();
+  }
+  units.path = path.string();
+  UnitLoader loader(reader, path.parent_path());
+  for (const Owner which : {Owner::core_a, Owner::core_b}) {
+    const std::string key(owner_name(which));
+    const toml::table* section = reader.table(root, key);
+    if (section == nullptr) {
+      continue;
+    }
+    reader.check_keys(*section, key, {"units", "entry"});
+    CoreUnits& core = units.cores[static_cast<std::size_t>(which)];
+    core.present = true;
+    core.units = loader.load(*section, key);
+    if (const std::string entry = reader.string(*section, "entry"); !entry.empty()) {
+      core.entry = entry;
+    }
+  }
+  if (!units.cores[0].present) {
+    throw InputError(path.string() + ": a firmware has a section [core_a]: that core starts first");
+  }
+  if (const toml::table* shared = reader.table(root, "shared")) {
+    reader.check_keys(*shared, "shared", {"units"});
+    units.shared = loader.load(*shared, "shared");
+  }
+  units.stages = read_stages(reader);
+  const std::string placement = reader.string(root, "placement");
+  firmware.placement =
+      placement.empty() ? default_placement() : load_placement(path.parent_path() / placement);
+  return firmware;
+}
+
+bool defines(const Program& program, std::string_view function) {
+  return std::ranges::find(program.functions, function, &Function::name) != program.functions.end();
+}
+
+}  // namespace
+
+Firmware bare_firmware(Program program) {
+  Firmware firmware;
+  firmware.units.name = fs::path(program.path).stem().string();
+  firmware.units.path = program.path;
+  CoreUnits& core = firmware.units.cores[0];
+  core.present = true;
+  if (!defines(program, core.entry)) {
+    if (!defines(program, "_main")) {
+      throw InputError(program.path + ": has neither a function _start nor a function _main");
+    }
+    core.units.push_back(std::make_shared<const Program>(parse(bare_start_text(), "(start-up)")));
+  }
+  core.units.push_back(std::make_shared<const Program>(std::move(program)));
+  firmware.placement = default_placement();
+  return firmware;
+}
+
+Firmware load_firmware(const fs::path& path) {
+  if (path.extension() == ".bir") {
+    return bare_firmware(load_program(path));
+  }
+  return load_manifest(path);
+}
+
+}  // namespace finback::ir

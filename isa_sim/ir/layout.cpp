@@ -1,0 +1,357 @@
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <optional>
+
+#include <common/parameter.hpp>
+#include <isa_sim/ir/layout.hpp>
+#include <isa_sim/isa/instruction.hpp>
+
+namespace finback::ir {
+namespace {
+
+using memory::MemoryMap;
+using memory::Region;
+
+constexpr std::uint32_t kNullGuard = 4096;  // bytes that stay free at address 0
+constexpr std::uint32_t kStackAlign = 8;
+
+std::string describe(const Thing& thing) {
+  return fmt::format("{} {}", thing.is_stack() ? "the" : (thing.function ? "function" : "object"),
+                     thing.name);
+}
+
+std::uint32_t code_size(const Function& function) {
+  const auto table = isa::instruction_table();
+  std::uint32_t size = 0;
+  for (const Packet& packet : function.packets) {
+    size += packet_length(packet, table);
+  }
+  return size;
+}
+
+// --- which definitions take part ---
+
+// One owner's definitions in the order of the text, without weak ones that a stronger replaces.
+class Collector {
+ public:
+  Collector(Owner owner, const std::vector<Unit>& units) : owner_(owner) {
+    for (const Unit& unit : units) {
+      collect(*unit);
+    }
+  }
+
+  std::vector<Thing> take() {
+    std::vector<Thing> kept;
+    for (std::size_t i = 0; i < things_.size(); ++i) {
+      if (things_[i].binding != Binding::weak || strongest_.at(things_[i].symbol) == i) {
+        kept.push_back(std::move(things_[i]));
+      }
+    }
+    return kept;
+  }
+
+ private:
+  void collect(const Program& unit) {
+    for (const Function& function : unit.functions) {
+      if (owner_ == Owner::shared) {
+        throw InputError(function.written,
+                         fmt::format("function {} stands in a shared unit: shared units have "
+                                     "objects only, list the unit under each core that calls it",
+                                     c_name(function.name)));
+      }
+      Thing thing;
+      thing.function = &function;
+      thing.symbol = function.name;
+      thing.binding = function.binding;
+      thing.align = std::max(function.align, 2u);
+      thing.size = code_size(function);
+      thing.written = function.written;
+      add(unit, std::move(thing));
+    }
+    for (const Object& object : unit.objects) {
+      Thing thing;
+      thing.object = &object;
+      thing.symbol = object.name;
+      thing.binding = object.binding;
+      thing.align = object.align;
+      thing.size = object.size;
+      thing.written = object.written;
+      add(unit, std::move(thing));
+    }
+  }
+
+  void add(const Program& unit, Thing thing) {
+    thing.owner = owner_;
+    thing.unit = &unit;
+    thing.name = c_name(thing.symbol);
+    const std::size_t index = things_.size();
+    if (thing.binding != Binding::local) {
+      const auto [found, first] = strongest_.emplace(thing.symbol, index);
+      if (!first && thing.binding == Binding::global) {
+        const Thing& other = things_[found->second];
+        if (other.binding == Binding::global) {
+          throw InputError(thing.written,
+                           fmt::format("{} of {} is defined already, at {}", thing.symbol,
+                                       owner_name(owner_), other.written.to_string()));
+        }
+        found->second = index;
+      }
+    }
+    things_.push_back(std::move(thing));
+  }
+
+  Owner owner_;
+  std::vector<Thing> things_;
+  std::map<std::string, std::size_t> strongest_;  // global symbol -> index of its definition
+};
+
+// --- where they go ---
+
+class Layout {
+ public:
+  Layout(const FirmwareUnits& firmware, const Placement& placement, const MemoryMap& map)
+      : firmware_(firmware), placement_(placement), map_(map) {}
+
+  std::vector<Thing> run() {
+    for (const Owner owner : kOwners) {
+      if (present(owner)) {
+        check_lists(owner);
+        things_[index_of(owner)] = Collector(owner, units_of(owner)).take();
+        check_patterns(owner);
+      }
+    }
+    for (const Owner owner : kOwners) {
+      if (present(owner)) {
+        place_stack(owner);
+        place_all(owner, true);
+      }
+    }
+    for (const Owner owner : kOwners) {
+      if (present(owner)) {
+        place_all(owner, false);
+      }
+    }
+    return std::move(placed_);
+  }
+
+ private:
+  static constexpr std::array kOwners = {Owner::core_a, Owner::core_b, Owner::shared};
+
+  static std::size_t index_of(Owner owner) { return static_cast<std::size_t>(owner); }
+  static int core_of(Owner owner) { return owner == Owner::shared ? -1 : static_cast<int>(owner); }
+  [[nodiscard]] bool present(Owner owner) const {
+    return owner == Owner::shared || firmware_.cores[index_of(owner)].present;
+  }
+  [[nodiscard]] const std::vector<Unit>& units_of(Owner owner) const {
+    return owner == Owner::shared ? firmware_.shared : firmware_.cores[index_of(owner)].units;
+  }
+
+  // --- checks of the placement ---
+
+  const Region& region(Owner owner, const std::string& name, const SourcePlace& written,
+                       bool code) const {
+    const Region* found = map_.find(core_of(owner), name);
+    if (found == nullptr || (owner == Owner::shared && found->core >= 0)) {
+      const std::vector<std::string> known = map_.names(core_of(owner));
+      const std::string nearest = nearest_name(name, known);
+      throw InputError(
+          written, fmt::format("{} has no region {}; {}", owner_name(owner), name,
+                               nearest.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+                                               : fmt::format("did you mean {}?", nearest)));
+    }
+    if (!(code ? found->code : found->data)) {
+      throw InputError(
+          written, fmt::format("region {} holds {}, not {}", name, code ? "data" : "instructions",
+                               code ? "functions" : "objects"));
+    }
+    return *found;
+  }
+
+  void check_list(Owner owner, const RegionList& list, bool code) const {
+    for (const std::string& name : list.names) {
+      (void)region(owner, name, list.written, code);
+    }
+  }
+
+  void check_lists(Owner owner) const {
+    const OwnerPlacement& own = placement_.of(owner);
+    check_list(owner, own.code, true);
+    check_list(owner, own.defaults, false);
+    for (const PlacementRule& rule : own.functions) {
+      check_list(owner, rule.regions, true);
+    }
+    for (const PlacementRule& rule : own.objects) {
+      check_list(owner, rule.regions, false);
+    }
+  }
+
+  static bool matches(const PlacementRule& rule, const std::string& name) {
+    return rule.exact ? rule.pattern == name : matches_pattern(rule.pattern, name);
+  }
+
+  void check_patterns(Owner owner) const {
+    const OwnerPlacement& own = placement_.of(owner);
+    check_patterns(owner, own.functions, true);
+    check_patterns(owner, own.objects, false);
+  }
+
+  void check_patterns(Owner owner, const std::vector<PlacementRule>& rules, bool functions) const {
+    std::vector<std::string> names;
+    for (const Thing& thing : things_[index_of(owner)]) {
+      if ((thing.function != nullptr) == functions) {
+        names.push_back(thing.name);
+      }
+    }
+    for (const PlacementRule& rule : rules) {
+      if (std::ranges::none_of(names, [&](const auto& name) { return matches(rule, name); })) {
+        const std::string nearest = nearest_name(rule.pattern, names);
+        throw InputError(rule.regions.written,
+                         fmt::format("{} has no {} {}{}", owner_name(owner),
+                                     functions ? "function" : "object", rule.pattern,
+                                     nearest.empty() ? elsewhere(owner, rule, functions)
+                                                     : fmt::format(", did you mean {}?", nearest)));
+      }
+    }
+  }
+
+  // Whether another owner has what a rule looks for.
+  [[nodiscard]] std::string elsewhere(Owner owner, const PlacementRule& rule,
+                                      bool functions) const {
+    for (const Owner other : kOwners) {
+      if (other == owner || !present(other)) {
+        continue;
+      }
+      for (const Thing& thing : Collector(other, units_of(other)).take()) {
+        if ((thing.function != nullptr) == functions && matches(rule, thing.name)) {
+          return fmt::format(", but {} has: move the line to [{}.{}]", owner_name(other),
+                             owner_name(other), functions ? "functions" : "objects");
+        }
+      }
+    }
+    return "";
+  }
+
+  // --- finding room ---
+
+  // The regions that rules name for a thing, or nothing when it goes by default.
+  [[nodiscard]] const RegionList* named(const Thing& thing) const {
+    const OwnerPlacement& own = placement_.of(thing.owner);
+    const auto& rules = thing.function != nullptr ? own.functions : own.objects;
+    const auto found = std::ranges::find_if(
+        rules, [&](const PlacementRule& rule) { return matches(rule, thing.name); });
+    return found == rules.end() ? nullptr : &found->regions;
+  }
+
+  void place_stack(Owner owner) {
+    const OwnerPlacement& own = placement_.of(owner);
+    if (owner == Owner::shared) {
+      return;
+    }
+    Thing stack;
+    stack.owner = owner;
+    stack.symbol = stack.name = "stack";
+    stack.align = kStackAlign;
+    stack.size = own.stack_size;
+    place(std::move(stack), {{own.stack_region}, own.stack_written}, true);
+  }
+
+  // Functions first, then objects, each in the order of the text.
+  void place_all(Owner owner, bool by_name) {
+    const OwnerPlacement& own = placement_.of(owner);
+    for (const bool functions : {true, false}) {
+      for (const Thing& thing : things_[index_of(owner)]) {
+        const RegionList* rule = named(thing);
+        if ((thing.function != nullptr) != functions || (rule != nullptr) != by_name) {
+          continue;
+        }
+        place(thing, by_name ? *rule : (functions ? own.code : own.defaults), by_name);
+      }
+    }
+  }
+
+  std::uint32_t& used(const Region& region) {
+    return used_.try_emplace(region.base, region.base == 0 ? kNullGuard : 0).first->second;
+  }
+
+  // The offset at which a thing fits into a region.
+  std::optional<std::uint32_t> room(const Region& region, const Thing& thing) {
+    const std::uint64_t align = thing.align;
+    const std::uint64_t address =
+        (std::uint64_t{region.base} + used(region) + align - 1) / align * align;
+    const std::uint64_t offset = address - region.base;
+    if (offset + thing.size > region.size) {
+      return std::nullopt;
+    }
+    return static_cast<std::uint32_t>(offset);
+  }
+
+  void place(Thing thing, const RegionList& list, bool by_name) {
+    for (const std::string& name : list.names) {
+      const Region& found = region(thing.owner, name, list.written, thing.function != nullptr);
+      if (const auto offset = room(found, thing)) {
+        used(found) = *offset + thing.size;
+        thing.region = &found;
+        thing.address = found.base + *offset;
+        placed_.push_back(std::move(thing));
+        return;
+      }
+    }
+    overflow(thing, list, by_name);
+  }
+
+  [[noreturn]] void overflow(const Thing& thing, const RegionList& list, bool by_name) {
+    std::string message;
+    if (list.names.size() == 1) {
+      const Region& full =
+          region(thing.owner, list.names[0], list.written, thing.function != nullptr);
+      message = fmt::format(
+          "{} overflows: {} of {} has {} bytes (alignment {}), but of {} bytes {} are taken",
+          full.name, describe(thing), owner_name(thing.owner), thing.size, thing.align, full.size,
+          used(full));
+    } else {
+      message =
+          fmt::format("no room for {} of {}, {} bytes (alignment {}), in any of {}{}",
+                      describe(thing), owner_name(thing.owner), thing.size, thing.align,
+                      fmt::join(list.names, ", "), by_name ? "" : ", where it goes by default");
+    }
+    for (const std::string& name : list.names) {
+      message += residents(region(thing.owner, name, list.written, thing.function != nullptr));
+    }
+    throw InputError(list.written, message);
+  }
+
+  // Who is in a region, largest first, one line each.
+  std::string residents(const Region& full) {
+    std::vector<const Thing*> inside;
+    for (const Thing& thing : placed_) {
+      if (thing.region == &full) {
+        inside.push_back(&thing);
+      }
+    }
+    std::ranges::stable_sort(inside, std::ranges::greater{}, &Thing::size);
+    std::string text =
+        fmt::format("\n  in {} ({} of {} bytes taken):", full.name, used(full), full.size);
+    for (const Thing* thing : inside) {
+      text +=
+          fmt::format("\n    {:>9}  {} ({})", thing->size, thing->name, owner_name(thing->owner));
+    }
+    return text;
+  }
+
+  const FirmwareUnits& firmware_;
+  const Placement& placement_;
+  const MemoryMap& map_;
+  std::array<std::vector<Thing>, 3> things_;  // by owner, in the order of the text
+  std::map<Address, std::uint32_t> used_;     // by a region's base: bytes taken, with gaps
+  std::vector<Thing> placed_;
+};
+
+}  // namespace
+
+std::vector<Thing> lay_out(const FirmwareUnits& firmware, const Placement& placement,
+                           const MemoryMap& map) {
+  return Layout(firmware, placement, map).run();
+}
+
+}  // namespace finback::ir

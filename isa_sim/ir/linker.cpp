@@ -1,0 +1,397 @@
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <optional>
+#include <unordered_map>
+
+#include <common/parameter.hpp>
+#include <isa_sim/ir/layout.hpp>
+#include <isa_sim/ir/linker.hpp>
+#include <isa_sim/isa/instruction.hpp>
+
+namespace finback::ir {
+namespace {
+
+using isa::OperandKind;
+using memory::MemoryMap;
+
+std::size_t index_of(Owner owner) { return static_cast<std::size_t>(owner); }
+
+// Where a packet was written: the C source by .loc, or else the BIR text itself.
+struct Line {
+  std::string file;
+  int line = 0;
+};
+
+Line line_of(const Program& unit, const Packet& packet) {
+  if (packet.file > 0) {
+    return {unit.source_files[static_cast<std::size_t>(packet.file)], packet.line};
+  }
+  return {unit.path, packet.written.line};
+}
+
+// Which half of an address `R0.L = _x` or `P0.H = _x` takes: that of the register written.
+bool takes_high_half(const isa::OperandRoles& roles, const ParsedInstruction& instruction) {
+  for (int i = 0; i < roles.count; ++i) {
+    if (roles[i].written) {
+      return isa::is_high_half(instruction.operand[static_cast<std::size_t>(i)].number);
+    }
+  }
+  return false;
+}
+
+class Linker {
+ public:
+  Linker(const FirmwareUnits& firmware, std::vector<Thing> things)
+      : firmware_(firmware), things_(std::move(things)), table_(isa::instruction_table()) {}
+
+  Image run() {
+    enter_symbols();
+    for (const Owner owner : {Owner::core_a, Owner::core_b}) {
+      if (firmware_.cores[index_of(owner)].present) {
+        emit_core(owner);
+      }
+    }
+    emit_objects();
+    check_stages();
+    return std::move(image_);
+  }
+
+ private:
+  using SymbolTable = std::unordered_map<std::string_view, const Thing*>;
+
+  // Who refers to a symbol.
+  struct Reference {
+    const Thing& from;
+    SourcePlace place;
+  };
+
+  struct Target {
+    Address address = 0;
+    bool code = false;
+  };
+
+  // --- symbols ---
+
+  void enter_symbols() {
+    for (const Thing& thing : things_) {
+      if (thing.is_stack()) {
+        continue;
+      }
+      locals_[{thing.owner, thing.unit}].emplace(thing.symbol, &thing);
+      if (thing.binding != Binding::local) {
+        globals_[index_of(thing.owner)].emplace(thing.symbol, &thing);
+      }
+      if (thing.function != nullptr) {
+        offsets(*thing.function);
+        functions_[{thing.owner, thing.unit}].push_back(&thing);
+      }
+    }
+  }
+
+  // The offset of each packet of a function, and of its end.
+  const std::vector<std::uint32_t>& offsets(const Function& function) {
+    const auto [found, added] = offsets_.try_emplace(&function);
+    if (added) {
+      std::uint32_t offset = 0;
+      for (const Packet& packet : function.packets) {
+        found->second.push_back(offset);
+        offset += packet_length(packet, table_);
+      }
+      found->second.push_back(offset);
+    }
+    return found->second;
+  }
+
+  std::optional<Target> label(const Thing& function, const std::string& symbol) {
+    const auto found = function.function->labels.find(symbol);
+    if (found == function.function->labels.end()) {
+      return std::nullopt;
+    }
+    return Target{function.address + offsets(*function.function)[found->second], true};
+  }
+
+  // Labels of the function, then symbols of the unit, of the core, of what is shared; objects also
+  // see the labels of their unit's functions (tables of jumps).
+  Target resolve(const Reference& reference, const std::string& symbol) {
+    const Thing& from = reference.from;
+    if (from.function != nullptr) {
+      if (const auto target = label(from, symbol)) {
+        return *target;
+      }
+    }
+    for (const SymbolTable* table :
+         {&locals_[{from.owner, from.unit}], &globals_[index_of(from.owner)],
+          &globals_[index_of(Owner::shared)]}) {
+      const auto found = table->find(symbol);
+      if (found != table->end()) {
+        return {found->second->address, found->second->function != nullptr};
+      }
+    }
+    if (from.object != nullptr) {
+      if (const auto target = label_of_unit(reference, symbol)) {
+        return *target;
+      }
+    }
+    undefined(reference, symbol);
+  }
+
+  std::optional<Target> label_of_unit(const Reference& reference, const std::string& symbol) {
+    std::optional<Target> result;
+    for (const Thing* function : functions_[{reference.from.owner, reference.from.unit}]) {
+      const auto target = label(*function, symbol);
+      if (target && result) {
+        throw InputError(reference.place, fmt::format("{} takes the address of label {}, which two "
+                                                      "functions of this file have",
+                                                      reference.from.name, symbol));
+      }
+      result = target ? target : result;
+    }
+    return result;
+  }
+
+  [[noreturn]] void undefined(const Reference& reference, const std::string& symbol) const {
+    std::vector<std::string> known;
+    for (const Thing& thing : things_) {
+      const bool seen = thing.owner == reference.from.owner || thing.owner == Owner::shared;
+      if (seen && (thing.binding != Binding::local || thing.unit == reference.from.unit)) {
+        known.push_back(thing.symbol);
+      }
+    }
+    const std::string nearest = nearest_name(symbol, known);
+    const bool shared = reference.from.owner == Owner::shared;
+    throw InputError(
+        reference.place,
+        fmt::format(
+            "{} {} refers to {}, which {} defines{}",
+            reference.from.function != nullptr ? "function" : "object", reference.from.name, symbol,
+            shared
+                ? "no shared unit"
+                : fmt::format("no unit of {} and no shared one", owner_name(reference.from.owner)),
+            nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
+  }
+
+  // --- code ---
+
+  void emit_core(Owner owner) {
+    CoreImage& core = image_.cores[index_of(owner)];
+    core.present = true;
+    core.source_files.emplace_back();
+    file_numbers_.clear();
+    std::vector<const Thing*> functions;
+    for (const Thing& thing : things_) {
+      if (thing.owner == owner && thing.function != nullptr) {
+        functions.push_back(&thing);
+      }
+      if (thing.owner == owner && thing.is_stack()) {
+        core.stack_top = thing.address + thing.size;
+      }
+    }
+    std::ranges::sort(functions, {}, &Thing::address);
+    for (const Thing* function : functions) {
+      emit_function(core, *function);
+    }
+    set_entry(core, owner);
+  }
+
+  void emit_function(CoreImage& core, const Thing& thing) {
+    const Function& function = *thing.function;
+    const std::vector<std::uint32_t>& at = offsets(function);
+    core.functions.push_back({.name = thing.name,
+                              .region = thing.region->name,
+                              .address = thing.address,
+                              .size = thing.size,
+                              .first_packet = core.packets.size(),
+                              .packet_count = function.packets.size()});
+    for (std::size_t i = 0; i < function.packets.size(); ++i) {
+      const Packet& packet = function.packets[i];
+      PlacedPacket placed;
+      placed.address = thing.address + at[i];
+      placed.length = static_cast<std::uint8_t>(at[i + 1] - at[i]);
+      placed.count = static_cast<std::uint8_t>(packet.slots.size());
+      placed.function = static_cast<std::uint32_t>(core.functions.size() - 1);
+      const Line line = line_of(*thing.unit, packet);
+      placed.file = file_number(core, line.file);
+      placed.line = line.line;
+      for (std::size_t slot = 0; slot < packet.slots.size(); ++slot) {
+        placed.slots[slot] =
+            link_instruction({thing, packet.written}, packet.slots[slot], placed.address);
+      }
+      core.packets.push_back(placed);
+    }
+  }
+
+  int file_number(CoreImage& core, const std::string& name) {
+    const auto [found, added] =
+        file_numbers_.try_emplace(name, static_cast<int>(core.source_files.size()));
+    if (added) {
+      core.source_files.push_back(name);
+    }
+    return found->second;
+  }
+
+  PlacedInstruction link_instruction(const Reference& reference,
+                                     const ParsedInstruction& instruction, Address address) {
+    PlacedInstruction placed;
+    placed.instruction = instruction.instruction;
+    const isa::OperandRoles& roles = isa::roles_of(instruction.instruction);
+    for (int i = 0; i < roles.count; ++i) {
+      const auto slot = static_cast<std::size_t>(i);
+      const OperandValue& value = instruction.operand[slot];
+      std::int32_t& result = placed.operand[slot];
+      if (value.symbol.empty()) {
+        result = value.number;
+        continue;
+      }
+      const Target target = resolve(reference, value.symbol);
+      const Address sum = target.address + static_cast<Address>(value.number);
+      if (isa::is_code_address(roles[i].kind)) {
+        check_distance(reference, roles[i].kind, value, target, address);
+        result = static_cast<std::int32_t>(sum);
+      } else {
+        result = static_cast<std::int32_t>(takes_high_half(roles, instruction) ? sum >> 16
+                                                                               : sum & 0xffff);
+      }
+    }
+    return placed;
+  }
+
+  // Distances wrap around at 4 GB, as in the machine.
+  void check_distance(const Reference& reference, OperandKind kind, const OperandValue& value,
+                      const Target& target, Address address) const {
+    const std::string& name = reference.from.name;
+    if (!target.code || value.number != 0) {
+      throw InputError(
+          reference.place,
+          fmt::format("function {} branches to {}{}, which is no label and no function", name,
+                      value.symbol, value.number == 0 ? "" : fmt::format(" {:+d}", value.number)));
+    }
+    const isa::ImmediateRange range = *isa::immediate_range(kind);
+    const auto distance = static_cast<std::int32_t>(target.address - address);
+    if (distance >= range.minimum && distance <= range.maximum) {
+      return;
+    }
+    const bool loop = kind == OperandKind::loop_top || kind == OperandKind::loop_bottom;
+    throw InputError(
+        reference.place,
+        fmt::format(
+            "function {}: {}{} is {} bytes away, out of the range {}..{}", name,
+            loop ? (kind == OperandKind::loop_top ? "the loop's top " : "the loop's bottom ") : "",
+            value.symbol, distance, range.minimum, range.maximum));
+  }
+
+  void set_entry(CoreImage& core, Owner owner) const {
+    const std::string& entry = firmware_.cores[index_of(owner)].entry;
+    const SymbolTable& globals = globals_[index_of(owner)];
+    auto found = globals.find(entry);
+    if (found != globals.end() && found->second->function != nullptr) {
+      core.entry = found->second->address;
+      return;
+    }
+    for (const Thing& thing : things_) {  // a start-up without .global
+      if (thing.owner == owner && thing.function != nullptr && thing.symbol == entry) {
+        core.entry = thing.address;
+        return;
+      }
+    }
+    throw InputError(fmt::format("{}: {}'s entry {} is a function of none of its units",
+                                 firmware_.path, owner_name(owner), entry));
+  }
+
+  // --- data ---
+
+  void emit_objects() {
+    for (const Thing& thing : things_) {
+      if (thing.function != nullptr) {
+        continue;
+      }
+      PlacedObject placed;
+      placed.name = thing.name;
+      placed.owner = thing.owner;
+      placed.region = thing.region->name;
+      placed.address = thing.address;
+      placed.size = thing.size;
+      if (thing.object != nullptr) {
+        placed.initial = thing.object->initial;
+        for (const Relocation& relocation : thing.object->relocations) {
+          relocate(thing, relocation, placed.initial);
+        }
+      }
+      image_.objects.push_back(std::move(placed));
+    }
+    std::ranges::sort(image_.objects, [](const PlacedObject& one, const PlacedObject& other) {
+      return std::pair(one.owner, one.address) < std::pair(other.owner, other.address);
+    });
+  }
+
+  void relocate(const Thing& thing, const Relocation& relocation,
+                std::vector<std::uint8_t>& bytes) {
+    const Target target = resolve({thing, thing.written}, relocation.symbol);
+    const Address value = target.address + static_cast<Address>(relocation.addend);
+    const std::size_t end = std::size_t{relocation.offset} + 4;
+    bytes.resize(std::max(bytes.size(), end));
+    for (std::size_t i = 0; i < 4; ++i) {
+      bytes[relocation.offset + i] = static_cast<std::uint8_t>(value >> (8 * i));
+    }
+  }
+
+  void check_stages() const {
+    for (const Stage& stage : firmware_.stages) {
+      const CoreImage& core = image_.cores[index_of(stage.core)];
+      if (std::ranges::find(core.functions, stage.function, &PlacedFunction::name) !=
+          core.functions.end()) {
+        continue;
+      }
+      std::vector<std::string> known;
+      for (const PlacedFunction& function : core.functions) {
+        known.push_back(function.name);
+      }
+      const std::string nearest = nearest_name(stage.function, known);
+      throw InputError(
+          fmt::format("{}: stage \"{}\": {} has no function {}{}", firmware_.path, stage.name,
+                      owner_name(stage.core), stage.function,
+                      nearest.empty() ? "" : fmt::format(", did you mean {}?", nearest)));
+    }
+  }
+
+  const FirmwareUnits& firmware_;
+  std::vector<Thing> things_;
+  std::span<const isa::Instruction> table_;
+  Image image_;
+  std::map<std::pair<Owner, const Program*>, SymbolTable> locals_;
+  std::map<std::pair<Owner, const Program*>, std::vector<const Thing*>> functions_;
+  std::array<SymbolTable, 3> globals_;
+  std::unordered_map<const Function*, std::vector<std::uint32_t>> offsets_;
+  std::map<std::string, int> file_numbers_;
+};
+
+}  // namespace
+
+Image link(const FirmwareUnits& firmware, const Placement& placement, const MemoryMap& map) {
+  return Linker(firmware, lay_out(firmware, placement, map)).run();
+}
+
+std::vector<RegionUse> link_report(const Image& image, const MemoryMap& map) {
+  std::vector<RegionUse> report;
+  for (const memory::Region& region : map.regions) {
+    RegionUse use{.region = region.name, .core = region.core, .size = region.size};
+    const auto add = [&](Address address, std::uint32_t size) {
+      if (region.contains(address)) {
+        use.used += size;
+        use.end = std::max(use.end, address - region.base + size);
+      }
+    };
+    for (const CoreImage& core : image.cores) {
+      for (const PlacedFunction& function : core.functions) {
+        add(function.address, function.size);
+      }
+    }
+    for (const PlacedObject& object : image.objects) {
+      add(object.address, object.size);
+    }
+    report.push_back(std::move(use));
+  }
+  return report;
+}
+
+}  // namespace finback::ir

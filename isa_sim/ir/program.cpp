@@ -1,0 +1,33 @@
+#include <algorithm>
+#include <tuple>
+
+#include <isa_sim/ir/program.hpp>
+
+namespace finback::ir {
+namespace {
+
+bool same_packet(const Packet& one, const Packet& other) {
+  return std::tie(one.slots, one.file, one.line) == std::tie(other.slots, other.file, other.line);
+}
+
+bool same_function(const Function& one, const Function& other) {
+  return std::tie(one.name, one.binding, one.align, one.section, one.labels) ==
+             std::tie(other.name, other.binding, other.align, other.section, other.labels) &&
+         std::ranges::equal(one.packets, other.packets, same_packet);
+}
+
+bool same_object(const Object& one, const Object& other) {
+  return std::tie(one.name, one.binding, one.align, one.size, one.section, one.initial,
+                  one.relocations) == std::tie(other.name, other.binding, other.align, other.size,
+                                               other.section, other.initial, other.relocations);
+}
+
+}  // namespace
+
+bool same_program(const Program& one, const Program& other) {
+  return one.source_files == other.source_files &&
+         std::ranges::equal(one.functions, other.functions, same_function) &&
+         std::ranges::equal(one.objects, other.objects, same_object);
+}
+
+}  // namespace finback::ir
