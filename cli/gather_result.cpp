@@ -177,14 +177,26 @@ std::optional<report::Accuracy> gather_accuracy(const scenes::FloatImage& truth,
   return accuracy;
 }
 
-// The values in force, so that two machine files that mean the same have one hash.
+// Hashes are over the values in force, so that two files that mean the same have the same.
+std::string values_text(const ParameterBase& parameter) {
+  return fmt::format("{} = {}\n", parameter.declaration().name, parameter.value());
+}
+
 std::string machine_hash(const machine::MachineDescription& description) {
   std::string text;
   for (const ParameterBase* parameter : description.parameters()) {
-    text += fmt::format("{} = {}\n", parameter->declaration().name, parameter->value());
+    text += values_text(*parameter);
   }
   for (const memory::Region& region : description.map.regions) {
     text += fmt::format("{} {} {:#x} {}\n", region.core, region.name, region.base, region.size);
+  }
+  return report::content_hash(text);
+}
+
+std::string power_hash(const power::PowerParameters& parameters) {
+  std::string text;
+  for (const ParameterBase* parameter : parameters.parameters()) {
+    text += values_text(*parameter);
   }
   return report::content_hash(text);
 }
@@ -208,6 +220,7 @@ report::RunResult gather_result(const RunInputs& inputs, const ir::Image& image,
                        inputs.firmware.identity,
                        inputs.firmware.placement,
                        {description.name, machine_hash(description)},
+                       {inputs.power_name, power_hash(*inputs.power)},
                        {inputs.scene.name, scene_hash(inputs.scene)}};
   result.core_hertz = description.clock.cclk_mhz * 1e6;
   result.system_hertz = description.clock.sclk_mhz * 1e6;
@@ -227,7 +240,7 @@ report::RunResult gather_result(const RunInputs& inputs, const ir::Image& image,
     gather_functions(core, profile, result);
     activity.cores[static_cast<std::size_t>(core)] = core_activity(profile, end);
   }
-  result.power = power::estimate_power(power::PowerParameters(), activity);
+  result.power = power::estimate_power(*inputs.power, activity);
 
   gather_stages(inputs.firmware.firmware.units.stages, result);
   gather_traffic(memory, result);

@@ -10,6 +10,7 @@
 #include <cli/run_firmware.hpp>
 #include <common/error.hpp>
 #include <common/file.hpp>
+#include <power_model/power_file.hpp>
 #include <report/json_writer.hpp>
 #include <report/text_writer.hpp>
 
@@ -37,6 +38,7 @@ struct Options {
   std::string firmware = "mesvs2";
   std::string machine;
   std::string placement;
+  std::string power;
   std::string out = "out";
   std::string trace_counters;
   double max_seconds = 0;
@@ -53,6 +55,10 @@ RunInputs load_inputs(const Options& options) {
                                   options.placement.empty()
                                       ? std::nullopt
                                       : std::optional<std::filesystem::path>(options.placement));
+  if (!options.power.empty()) {
+    power::load_power_parameters(options.power, *inputs.power);
+    inputs.power_name = std::filesystem::path(options.power).filename().string();
+  }
   inputs.frames = options.frames;
   // Two seconds a frame: ten times what the slowest of the camera's firmwares needs.
   const double seconds =
@@ -143,6 +149,7 @@ void add_run_command(CLI::App& app, Action& action) {
   command->add_option("--machine", options->machine, "Machine file (TOML) instead of the BF561");
   command->add_option("--placement", options->placement,
                       "Placement file (TOML) instead of the firmware's own");
+  command->add_option("--power", options->power, "Power file (TOML): other numbers for the watts");
   command->add_option("--out", options->out, "Folder for what is written")->capture_default_str();
   command
       ->add_option("--max-seconds", options->max_seconds,

@@ -38,6 +38,8 @@ struct LoadedFirmware {
 struct RunInputs {
   LoadedFirmware firmware;
   std::unique_ptr<machine::MachineDescription> machine;
+  std::unique_ptr<power::PowerParameters> power = std::make_unique<power::PowerParameters>();
+  std::string power_name = "default";
   scenes::Scene scene;
   std::uint32_t frames = 1;
   // The run is given up as endless after so many cycles.

@@ -11,11 +11,9 @@ using Json = nlohmann::ordered_json;
 Json ingredient(const Ingredient& item) { return {{"name", item.name}, {"hash", item.hash}}; }
 
 Json provenance(const Provenance& p) {
-  return {{"tool_version", p.tool_version},
-          {"firmware", ingredient(p.firmware)},
-          {"placement", ingredient(p.placement)},
-          {"machine", ingredient(p.machine)},
-          {"scene", ingredient(p.scene)}};
+  return {{"tool_version", p.tool_version},       {"firmware", ingredient(p.firmware)},
+          {"placement", ingredient(p.placement)}, {"machine", ingredient(p.machine)},
+          {"power", ingredient(p.power)},         {"scene", ingredient(p.scene)}};
 }
 
 // Pairs (name, number) as one object.

@@ -31,6 +31,7 @@ struct Provenance {
   Ingredient firmware;
   Ingredient placement;
   Ingredient machine;
+  Ingredient power;
   Ingredient scene;
 };
 

@@ -22,6 +22,7 @@ RunResult small_result() {
                   {"mesvs2", content_hash("firmware")},
                   {"default", content_hash("placement")},
                   {"bf561", content_hash("machine")},
+                  {"default", content_hash("power")},
                   {"aloe", content_hash("scene")}};
   r.core_hertz = kCoreHertz;
   r.system_hertz = 120e6;
