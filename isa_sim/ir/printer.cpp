@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include <isa_sim/ir/printer.hpp>
+#include <isa_sim/isa/pattern.hpp>
 
 namespace finback::ir {
 namespace {
@@ -56,9 +57,11 @@ class Printer {
     }
     section_ = section;
     section_code_ = code;
-    static constexpr std::array<std::string_view, 4> kNamed = {".text", ".data", ".bss", ".rodata"};
+    static constexpr std::array<std::string_view, 3> kNamed = {".text", ".data", ".bss"};
     if (std::ranges::count(kNamed, section) > 0 && (section == ".text") == code) {
       line("{}", section);
+    } else if (section == ".rodata" && !code) {
+      line(".section .rodata");
     } else {
       line(".section {},\"{}\"", section, code ? "ax" : "aw");
     }
@@ -108,8 +111,7 @@ class Printer {
     for (const Relocation& relocation : object.relocations) {
       print_bytes(object, offset, relocation.offset);
       const OperandValue value{relocation.addend, relocation.symbol};
-      line("  .byte4 {}{}", value.symbol,
-           value.number == 0 ? "" : fmt::format(" {:+d}", value.number));
+      line("  .byte4 {}", isa::print_operand(isa::OperandKind::pc24, value));
       offset = relocation.offset + 4;
     }
     print_bytes(object, offset, object.size);
