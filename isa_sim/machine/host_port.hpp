@@ -1,6 +1,6 @@
 // The host port: frames in, maps, console and exit out. Ours, not the BF561's.
 //
-// Models: 32-bit registers at 0xFFC0F000 (docs/machine.md) through which firmware asks the host for
+// Models: 32-bit registers at 0xFFC0F000 (HostRegister) through which firmware asks the host for
 // the next pair of 640x480 luma images, publishes result maps, prints and stops. Grabbing takes no
 // time: it stands for the cameras until their parallel ports are modelled; its bytes are counted as
 // initiator `host`.

@@ -38,7 +38,7 @@ ParameterPointer find_parameter(const std::vector<ParameterPointer>& all, std::s
   }
   const std::string nearest = nearest_name(name, names);
   throw InputError(fmt::format("unknown machine parameter {}{}", name,
-                               nearest.empty() ? "" : fmt::format(", did you mean {}?", nearest)));
+                               nearest.empty() ? "" : fmt::format(", did you mean {}", nearest)));
 }
 
 // A number as people write it: no trailing zeros, no point for whole numbers.
@@ -73,7 +73,7 @@ std::string parameters_as_markdown() {
       "Every adjustable number of the machine, as `[section]` and key of a machine file\n"
       "(`memory.l2.read_cycles` is `read_cycles` under `[memory.l2]`). This page is generated "
       "from\n"
-      "the declarations: `finback machine --parameters`. Certainty: **V** verified in the source,\n"
+      "the declarations: `finback machine` prints it. Certainty: **V** verified in the source,\n"
       "**D** derived from verified facts, **M** from memory of the vendor's manuals, **E**\n"
       "estimate.\n\n"
       "| name | unit | default | range | certainty | source | meaning |\n"

@@ -2,7 +2,7 @@
 //
 // Read from a machine file (TOML), in which every parameter goes by its dotted name and what is
 // left out keeps its default: the BF561 at 600 / 120 MHz. Energy is not here: the power model has
-// tables of its own. The format: docs/machine.md.
+// tables of its own. The format: docs/machine-file.md.
 #pragma once
 
 #include <filesystem>

@@ -98,7 +98,7 @@ class MachineReader {
                              const std::vector<std::string>& known) {
     const std::string nearest = nearest_name(name, known);
     return fmt::format("unknown {} {}{}", kind, name,
-                       nearest.empty() ? "" : fmt::format(", did you mean {}?", nearest));
+                       nearest.empty() ? "" : fmt::format(", did you mean {}", nearest));
   }
 
   void read_regions(const toml::node& node) {
