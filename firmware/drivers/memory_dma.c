@@ -1,0 +1,72 @@
+#include "memory_dma.h"
+
+#include <bf561.h>
+
+#include "events.h"
+
+static volatile struct dma_registers *destination_channel;
+static volatile struct dma_registers *source_channel;
+static volatile int transfer_under_way;
+
+FINBACK_INTERRUPT static void transfer_done(void) {
+  destination_channel->irq_status = DMA_DONE; /* written as 1 to withdraw the request */
+  __builtin_bfin_ssync();
+  transfer_under_way = 0;
+}
+
+void memory_dma_start(enum core core) {
+  unsigned stream = core == CORE_A ? 0 : 1;
+  destination_channel =
+      (volatile struct dma_registers *)(MDMA1_D0_BASE + stream * MDMA1_STREAM_STRIDE);
+  source_channel =
+      (volatile struct dma_registers *)(MDMA1_S0_BASE + stream * MDMA1_STREAM_STRIDE);
+  events_attach(core, IRQ_MDMA1_STREAM(stream), EVT_IVG8, transfer_done);
+}
+
+/* The source's side is enabled first: the transfer runs from when the destination's is. */
+static void enable(unsigned shape) {
+  transfer_under_way = 1;
+  /* What the core has written must have arrived before it is read by DMA. */
+  __builtin_bfin_ssync();
+  source_channel->config = (uint16_t)(shape | DMAEN);
+  destination_channel->config = (uint16_t)(shape | DI_EN | WNR | DMAEN);
+}
+
+static unsigned element_log2(unsigned combined) {
+  if (combined % 2 != 0) {
+    return 0;
+  }
+  return combined % 4 != 0 ? 1 : 2;
+}
+
+void memory_dma_copy(void *destination, const void *source, unsigned bytes) {
+  unsigned log2 = element_log2((uint32_t)destination | (uint32_t)source | bytes);
+
+  memory_dma_wait();
+  source_channel->start_addr = (uint32_t)source;
+  source_channel->x_count = (uint16_t)(bytes >> log2);
+  source_channel->x_modify = (int16_t)(1 << log2);
+  destination_channel->start_addr = (uint32_t)destination;
+  destination_channel->x_count = (uint16_t)(bytes >> log2);
+  destination_channel->x_modify = (int16_t)(1 << log2);
+  enable(log2 * WDSIZE_16); /* WDSIZE is the logarithm */
+}
+
+void memory_dma_gather(void *destination, const void *source, unsigned columns, unsigned rows,
+                       int step, int source_width) {
+  memory_dma_wait();
+  source_channel->start_addr = (uint32_t)source;
+  source_channel->x_count = (uint16_t)columns;
+  source_channel->x_modify = (int16_t)step;
+  source_channel->y_count = (uint16_t)rows;
+  /* Y_MODIFY takes the place of X_MODIFY after a row's last element. */
+  source_channel->y_modify = (int16_t)(step * source_width - ((int)columns - 1) * step);
+  destination_channel->start_addr = (uint32_t)destination;
+  destination_channel->x_count = (uint16_t)columns;
+  destination_channel->x_modify = 1;
+  destination_channel->y_count = (uint16_t)rows;
+  destination_channel->y_modify = 1;
+  enable(WDSIZE_8 | DMA2D);
+}
+
+void memory_dma_wait(void) { WAIT_UNTIL(!transfer_under_way); }

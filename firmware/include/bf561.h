@@ -1,0 +1,77 @@
+/* The ADSP-BF561's memory-mapped registers that the firmware uses, under the names of ADI's
+ * defBF561.h; of repeated blocks, the base and the layout. */
+#ifndef FINBACK_BF561_H
+#define FINBACK_BF561_H
+
+#include <stdint.h>
+
+#define BF561_REGISTER_16(address) (*(volatile uint16_t *)(address))
+#define BF561_REGISTER_32(address) (*(volatile uint32_t *)(address))
+
+/* --- system interrupt controllers, one a core --- */
+
+#define SICA_BASE 0xFFC00100u
+#define SICB_BASE 0xFFC01100u
+#define SICA_SYSCR BF561_REGISTER_32(SICA_BASE + 0x04u)
+#define SICB_SYSCR BF561_REGISTER_32(SICB_BASE + 0x04u)
+
+/* SICA_SYSCR: core B is held in reset while set. */
+#define COREB_SRAM_INIT 0x20u
+
+/* SICB_SYSCR: bits that raise and acknowledge supplemental interrupt 0 of a core (0 A, 1 B). */
+#define SUPPLEMENTAL_0_RAISE(core) (1u << (6 + (core)))
+#define SUPPLEMENTAL_0_ACKNOWLEDGE(core) (1u << (10 + (core)))
+
+struct sic_registers {
+  uint32_t swrst;
+  uint32_t syscr;
+  uint32_t rvect;
+  uint32_t imask[2]; /* 1: the source may interrupt */
+  uint32_t isr[2];
+  uint32_t iwr[2]; /* 1: the source ends IDLE */
+  uint32_t iar[8]; /* 8 sources each, 4 bits a source: its IVG less 7 */
+};
+
+/* Interrupt sources. */
+#define IRQ_MDMA1_STREAM(stream) (53 + (stream))
+#define IRQ_SUPPLEMENTAL_0 62
+
+/* --- memory DMA controller 1: two streams, each a destination and a source channel --- */
+
+#define MDMA1_D0_BASE 0xFFC01F00u
+#define MDMA1_S0_BASE 0xFFC01F40u
+#define MDMA1_STREAM_STRIDE 0x80u
+
+struct dma_registers {
+  uint32_t next_desc_ptr;
+  uint32_t start_addr;
+  uint16_t config, reserved_0a;
+  uint32_t reserved_0c;
+  uint16_t x_count, reserved_12;
+  int16_t x_modify, reserved_16;
+  uint16_t y_count, reserved_1a;
+  int16_t y_modify, reserved_1e;
+  uint32_t curr_desc_ptr;
+  uint32_t curr_addr;
+  uint16_t irq_status, reserved_2a;
+};
+
+/* CONFIG */
+#define DMAEN 0x0001u
+#define WNR 0x0002u
+#define WDSIZE_8 0x0000u
+#define WDSIZE_16 0x0004u
+#define WDSIZE_32 0x0008u
+#define DMA2D 0x0010u
+#define DI_EN 0x0080u
+
+/* IRQ_STATUS */
+#define DMA_DONE 0x0001u
+
+/* --- the core's own event controller --- */
+
+#define EVT(ivg) BF561_REGISTER_32(0xFFE02000u + 4u * (ivg))
+#define EVT_IVG7 7
+#define EVT_IVG8 8
+
+#endif

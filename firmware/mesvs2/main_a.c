@@ -1,0 +1,81 @@
+/* MESVS-II, core A: from camera frames to rectified pairs of 160x120. */
+#include <bf561.h>
+#include <core_interrupt.h>
+#include <events.h>
+#include <host_port.h>
+#include <memory_dma.h>
+#include <string.h>
+
+#include "shared_buffers.h"
+#include "stereo_config.h"
+
+#define CAMERA_BUFFERS 2
+
+/* A frame is processed from one of the buffers while the cameras fill the other one. */
+_Alignas(4) uint8_t vga_left[CAMERA_BUFFERS][CAMERA_WIDTH * CAMERA_HEIGHT];
+_Alignas(4) uint8_t vga_right[CAMERA_BUFFERS][CAMERA_WIDTH * CAMERA_HEIGHT];
+unsigned vga_frame[CAMERA_BUFFERS]; /* number of the frame in a buffer */
+
+_Alignas(4) uint8_t small_left[MAP_PIXELS];
+_Alignas(4) uint8_t small_right[MAP_PIXELS];
+
+/* Has the next frame put into a buffer. Returns 0 when there is none. */
+__attribute__((noinline)) int acquire_frame(int buffer) {
+  if (host_frames_left() == 0) {
+    return 0;
+  }
+  vga_frame[buffer] = host_grab_frame(vga_left[buffer], vga_right[buffer]);
+  return 1;
+}
+
+/* Every 4th pixel of every 4th row, from L3 to L1, without the core's help. */
+__attribute__((noinline)) void subsample_pair(int buffer) {
+  memory_dma_gather(small_left, vga_left[buffer], MAP_WIDTH, MAP_HEIGHT, SUBSAMPLING,
+                    CAMERA_WIDTH);
+  memory_dma_gather(small_right, vga_right[buffer], MAP_WIDTH, MAP_HEIGHT, SUBSAMPLING,
+                    CAMERA_WIDTH);
+  memory_dma_wait();
+}
+
+/* The scenes come rectified, so the mapping is the identity; it ends where any other one would: in
+ * the hand-over slot. */
+__attribute__((noinline)) void rectify_pair(int slot) {
+  memcpy(hand_over_left[slot], small_left, MAP_PIXELS);
+  memcpy(hand_over_right[slot], small_right, MAP_PIXELS);
+}
+
+__attribute__((noinline)) void wait_for_empty_slot(int slot) {
+  WAIT_UNTIL(!hand_over_full[slot]);
+}
+
+__attribute__((noinline)) void hand_over_pair(int slot, unsigned frame_number) {
+  hand_over_frame[slot] = frame_number;
+  hand_over_full[slot] = 1;
+  core_interrupt_raise(CORE_B);
+}
+
+int main(void) {
+  unsigned frames = 0;
+  int buffer = 0;
+  int acquired;
+
+  memory_dma_start(CORE_A);
+  core_interrupt_start(CORE_A);
+  events_enable();
+  SICA_SYSCR &= ~COREB_SRAM_INIT; /* core B starts */
+
+  acquired = acquire_frame(buffer);
+  while (acquired) {
+    int next_buffer = (buffer + 1) % CAMERA_BUFFERS;
+    int slot = (int)(frames % SLOT_COUNT);
+    acquired = acquire_frame(next_buffer);
+    subsample_pair(buffer);
+    wait_for_empty_slot(slot);
+    rectify_pair(slot);
+    hand_over_pair(slot, vga_frame[buffer]);
+    buffer = next_buffer;
+    ++frames;
+  }
+  WAIT_UNTIL(maps_published == frames);
+  return 0;
+}

@@ -1,0 +1,80 @@
+/* MESVS-II, core B: from rectified pairs to disparity maps. */
+#include <core_interrupt.h>
+#include <events.h>
+#include <host_port.h>
+#include <memory_dma.h>
+
+#include "census.h"
+#include "matching.h"
+#include "shared_buffers.h"
+#include "stereo_config.h"
+
+/* The map leaves L1 in bands: one is on its way while the next is computed. */
+#define BAND_ROWS 10
+#define BAND_PIXELS (BAND_ROWS * MAP_WIDTH)
+#define BAND_COUNT (MAP_HEIGHT / BAND_ROWS)
+_Static_assert(BAND_COUNT * BAND_ROWS == MAP_HEIGHT, "bands fill the map");
+
+/* The rectified pair, then, in place, its census. */
+_Alignas(4) uint8_t left_census[MAP_PIXELS];
+_Alignas(4) uint8_t right_census[MAP_PIXELS];
+_Alignas(4) uint8_t disparity_bands[2][BAND_PIXELS];
+
+/* Brings the pair of a slot into L1, gives the slot back and returns the frame's number. */
+__attribute__((noinline)) unsigned receive_pair(int slot) {
+  unsigned frame_number = hand_over_frame[slot];
+  memory_dma_copy(left_census, hand_over_left[slot], MAP_PIXELS);
+  memory_dma_copy(right_census, hand_over_right[slot], MAP_PIXELS);
+  memory_dma_wait();
+  hand_over_full[slot] = 0;
+  core_interrupt_raise(CORE_A);
+  return frame_number;
+}
+
+__attribute__((noinline)) void wait_for_full_slot(int slot) { WAIT_UNTIL(hand_over_full[slot]); }
+
+__attribute__((noinline)) void census_pair(void) {
+  census_image(left_census);
+  census_image(right_census);
+}
+
+__attribute__((noinline)) void match_band(int band) {
+  uint8_t *row = disparity_bands[band % 2];
+  for (int y = band * BAND_ROWS; y < (band + 1) * BAND_ROWS; ++y) {
+    match_row(left_census, right_census, y, row);
+    row += MAP_WIDTH;
+  }
+}
+
+/* Begins to send a band to its place in the map; waits until the band before it has gone, so that
+ * its buffer is free again. */
+__attribute__((noinline)) void output_map_band(int band) {
+  memory_dma_copy(disparity_map + band * BAND_PIXELS, disparity_bands[band % 2], BAND_PIXELS);
+}
+
+__attribute__((noinline)) void publish_map(unsigned frame_number) {
+  memory_dma_wait();
+  host_publish_map(disparity_map, MAP_WIDTH, MAP_HEIGHT, frame_number);
+  ++maps_published;
+  core_interrupt_raise(CORE_A);
+}
+
+int main(void) {
+  int slot = 0;
+
+  memory_dma_start(CORE_B);
+  core_interrupt_start(CORE_B);
+  events_enable();
+  for (;;) {
+    unsigned frame_number;
+    wait_for_full_slot(slot);
+    frame_number = receive_pair(slot);
+    census_pair();
+    for (int band = 0; band < BAND_COUNT; ++band) {
+      match_band(band);
+      output_map_band(band);
+    }
+    publish_map(frame_number);
+    slot = (slot + 1) % SLOT_COUNT;
+  }
+}
