@@ -263,10 +263,10 @@ class Verifier {
       case Flow::jump_indirect:
       case Flow::ret:
       case Flow::ret_event:
-        return;
-      case Flow::call:
+      case Flow::call:  // of a function that never returns
       case Flow::call_indirect:
-        return;  // of a function that never returns
+      case Flow::event:  // a trap
+        return;
       default:
         report(last.written, fmt::format("{} runs on past its last instruction: end it with RTS or "
                                          "a jump",

@@ -122,6 +122,7 @@ class Tokenizer {
 
   void read_number(Token& token) {
     token.kind = TokenKind::number;
+    const std::size_t start = position_;
     int base = 10;
     const char mark = static_cast<char>(at(position_ + 1) | 0x20);
     if (text_[position_] == '0' && (mark == 'x' || mark == 'b')) {
@@ -140,6 +141,7 @@ class Tokenizer {
         fail(fmt::format("'{}' is no digit of a base {} number", text_[position_], base));
       }
       if (value > (std::numeric_limits<std::int64_t>::max() - digit) / base) {
+        position_ = start;
         fail("this number does not fit into 64 bits");
       }
       value = value * base + digit;
