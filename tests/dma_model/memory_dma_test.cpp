@@ -1,0 +1,196 @@
+// Transfers: their bytes, their time by formula, their interrupts.
+#include "dma_fixture.hpp"
+
+namespace finback::dma {
+namespace {
+
+using MemoryDmaTest = DmaTest;
+
+// Unloaded L3 to L1, n full bursts of 16 words within one row and before the first refresh:
+// start-up 8, first read 1 + CL 3 + tRCD 3 + 16, each further read 20 (it hides the write of the
+// one before, 2 + 16), the last write 18.
+constexpr Cycles l3_to_l1_sclk(Cycles bursts) { return 8 + 23 + 20 * (bursts - 1) + 18; }
+
+TEST_F(MemoryDmaTest, UnloadedLatencyByFormula) {
+  for (const std::uint32_t bursts : {1U, 2U, 16U, 32U}) {
+    build();
+    EXPECT_EQ(copy(*dma1_, 0, kL3, kL1A, 16 * bursts, kBits32, 100),
+              100 + l3_to_l1_sclk(bursts) * kSclk);
+  }
+}
+
+TEST_F(MemoryDmaTest, DoneAndItsInterruptComeWithTheLastWordNotACycleBefore) {
+  const auto bytes = pattern(64);
+  memory_->store_bytes(kL3, bytes);
+  program(*dma1_, kS0, kL3, 16, 4);
+  program(*dma1_, kD0, kL1A, 16, 4);
+  enable(*dma1_, 0, kBits32 | kInterruptEnable, 0);
+  EXPECT_EQ(status(*dma1_, kD0), kRun);
+  const Cycles done = l3_to_l1_sclk(1) * kSclk;
+  dma1_->advance(done - 1);
+  EXPECT_EQ(status(*dma1_, kD0), kRun);
+  EXPECT_EQ(bytes_at(kL1A, 64), std::vector<std::uint8_t>(64));
+  EXPECT_TRUE(lines_.empty());
+  dma1_->advance(done);
+  EXPECT_EQ(status(*dma1_, kD0), kDone);
+  EXPECT_EQ(bytes_at(kL1A, 64), bytes);
+  EXPECT_EQ(lines_, (std::vector<LineChange>{{0, true, done}}));
+
+  dma1_->write(kD0 + kIrqStatus, 2, kRun, done + 10);  // writing 0 to DONE leaves it
+  EXPECT_EQ(status(*dma1_, kD0), kDone);
+  dma1_->write(kD0 + kIrqStatus, 2, kDone, done + 20);
+  EXPECT_EQ(status(*dma1_, kD0), 0U);
+  EXPECT_EQ(lines_.back(), (LineChange{0, false, done + 20}));
+}
+
+TEST_F(MemoryDmaTest, WithoutDiEnDoneIsSetAndTheLineStaysLow) {
+  copy(*dma1_, 1, kL3, kL2, 100, kBits16, 0);
+  EXPECT_EQ(status(*dma1_, kD1), kDone);
+  EXPECT_TRUE(lines_.empty());
+}
+
+struct Bandwidth {
+  const char* name;
+  Address from, to;
+  std::uint32_t width;
+  double low, high;  // MB/s
+};
+
+class DmaBandwidth : public DmaTest, public testing::WithParamInterface<Bandwidth> {};
+
+// hardware.md 3.2: 4 B a SCLK at most (480 MB/s), 70 to 85 % of it planned when one end is SDRAM;
+// half when both ends are in the same memory; 1 B a SCLK (120 MB/s) for 8-bit elements.
+TEST_P(DmaBandwidth, LiesWithinItsBounds) {
+  const Bandwidth& b = GetParam();
+  const std::uint32_t bytes = 16384;
+  const std::uint32_t elements = bytes >> (b.width >> 2U);
+  const Cycles cycles = copy(*dma1_, 0, b.from, b.to, elements, b.width, 0);
+  const double megabytes_per_second = bytes * 600.0 / static_cast<double>(cycles);
+  EXPECT_GE(megabytes_per_second, b.low);
+  EXPECT_LE(megabytes_per_second, b.high);
+  RecordProperty("megabytes_per_second", std::to_string(megabytes_per_second));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, DmaBandwidth,
+    testing::Values(Bandwidth{"l3_to_l1", kL3, kL1A, kBits32, 0.70 * 480, 0.85 * 480},
+                    Bandwidth{"l1_to_l3", kL1A, kL3, kBits32, 0.70 * 480, 0.85 * 480},
+                    Bandwidth{"l3_to_l2", kL3, kL2, kBits32, 0.70 * 480, 0.85 * 480},
+                    Bandwidth{"l2_to_l1", kL2, kL1B, kBits32, 0.70 * 480, 480},
+                    Bandwidth{"l1_to_same_l1", kL1A, kL1A2, kBits32, 0.30 * 480, 0.50 * 480},
+                    Bandwidth{"l1_to_other_l1", kL1A, kL1B, kBits32, 0.70 * 480, 480},
+                    Bandwidth{"l3_to_l3", kL3, kL3 + (16U << 20), kBits32, 0.30 * 480, 0.50 * 480},
+                    Bandwidth{"16_bits", kL3, kL1A, kBits16, 0.70 * 240, 0.85 * 240},
+                    Bandwidth{"8_bits", kL3, kL1A, kBits8, 0.70 * 120, 0.85 * 120}),
+    [](const testing::TestParamInfo<Bandwidth>& b) { return b.param.name; });
+
+TEST_F(MemoryDmaTest, EveryWidthMovesItsBytes) {
+  const auto bytes = pattern(4000);
+  for (const std::uint32_t width : {kBits8, kBits16, kBits32}) {
+    build();
+    memory_->store_bytes(kL3 + 12, bytes);
+    copy(*dma2_, 1, kL3 + 12, kL2 + 64, 4000U >> (width >> 2U), width, 0);
+    EXPECT_EQ(bytes_at(kL2 + 64, 4000), bytes);
+    EXPECT_EQ(bytes_at(kL2, 64), std::vector<std::uint8_t>(64));
+    EXPECT_EQ(bytes_at(kL2 + 64 + 4000, 64), std::vector<std::uint8_t>(64));
+  }
+}
+
+TEST_F(MemoryDmaTest, SubSamplingTakesEveryFourthPixelOfEveryFourthRow) {
+  constexpr std::uint32_t kWidth = 640;
+  const auto image = pattern(kWidth * 480);
+  memory_->store_bytes(kL3, image);
+  program(*dma1_, kS0, kL3, 160, 4);
+  program_rows(*dma1_, kS0, 120, 4 + 3 * kWidth);
+  program(*dma1_, kD0, kL1A, 160, 1);
+  program_rows(*dma1_, kD0, 120, 1);
+  enable(*dma1_, 0, kBits8 | kTwoDimensional, 0);
+  finish(*dma1_);
+  const auto small = bytes_at(kL1A, 160 * 120);
+  for (std::uint32_t y = 0; y < 120; ++y) {
+    for (std::uint32_t x = 0; x < 160; ++x) {
+      ASSERT_EQ(small[y * 160 + x], image[4 * y * kWidth + 4 * x]) << x << ' ' << y;
+    }
+  }
+}
+
+TEST_F(MemoryDmaTest, ACountOfZeroIs65536) {
+  const auto bytes = pattern(65536);
+  memory_->store_bytes(kL3, bytes);
+  copy(*dma1_, 0, kL3, kL2, 0, kBits8, 0);
+  EXPECT_EQ(bytes_at(kL2, 65536), bytes);
+  EXPECT_EQ(bytes_at(kL2 + 65536, 4), std::vector<std::uint8_t>(4));
+}
+
+TEST_F(MemoryDmaTest, DiSelInterruptsWithEveryRow) {
+  program(*dma1_, kS0, kL3, 16, 4);
+  program_rows(*dma1_, kS0, 3, 4);
+  program(*dma1_, kD0, kL1A, 16, 4);
+  program_rows(*dma1_, kD0, 3, 64);
+  enable(*dma1_, 0, kBits32 | kTwoDimensional | kInterruptEnable | kInterruptPerRow, 0);
+  std::vector<Cycles> rows;
+  while (dma1_->next_event_time() != kNever) {
+    dma1_->advance(dma1_->next_event_time());
+    if (!lines_.empty() && lines_.back().level) {
+      rows.push_back(lines_.back().at);
+      dma1_->write(kD0 + kIrqStatus, 2, kDone, lines_.back().at);
+    }
+  }
+  EXPECT_THAT(rows, testing::ElementsAre(l3_to_l1_sclk(1) * kSclk, l3_to_l1_sclk(2) * kSclk,
+                                         l3_to_l1_sclk(3) * kSclk));
+}
+
+TEST_F(MemoryDmaTest, AutobufferGoesRoundUntilDisabled) {
+  program(*dma1_, kS0, kL3, 32, 4);
+  program(*dma1_, kD0, kL1A, 32, 4);
+  enable(*dma1_, 0, kBits32 | kAutobuffer | kInterruptEnable, 0);
+  std::vector<Cycles> ends;
+  while (ends.size() < 5) {
+    dma1_->advance(dma1_->next_event_time());
+    if (!lines_.empty() && lines_.back().level) {
+      ends.push_back(lines_.back().at);
+      EXPECT_EQ(status(*dma1_, kD0), kDone | kRun);
+      memory_->store_bytes(kL3, pattern(128, static_cast<std::uint32_t>(ends.size())));
+      dma1_->write(kD0 + kIrqStatus, 2, kDone, lines_.back().at);
+    }
+  }
+  // Without start-up, and the row is open: 20 + 20 + 18 SCLK a round.
+  EXPECT_EQ(ends[4] - ends[3], 58 * kSclk);
+  EXPECT_EQ(bytes_at(kL1A, 128), pattern(128, 4));
+  dma1_->write(kD0 + kConfig, 2, 0, ends[4] + 1);
+  EXPECT_EQ(dma1_->next_event_time(), kNever);
+  EXPECT_EQ(status(*dma1_, kD0), 0U);
+  EXPECT_EQ(status(*dma1_, kS0) & kRun, kRun);
+}
+
+TEST_F(MemoryDmaTest, AFinishedStreamStartsAgainByConfig) {
+  copy(*dma1_, 0, kL3, kL1A, 64, kBits32, 0);
+  memory_->store_bytes(kL3, pattern(256));
+  const Cycles done = copy(*dma1_, 0, kL3, kL1A, 64, kBits32, 2000);
+  EXPECT_EQ(done, 2000 + (l3_to_l1_sclk(4) - 3) * kSclk);  // the row is open
+  EXPECT_EQ(bytes_at(kL1A, 256), pattern(256));
+}
+
+TEST_F(MemoryDmaTest, ConfigOfARunningChannelIsAFault) {
+  program(*dma1_, kS0, kL3, 64, 4);
+  program(*dma1_, kD0, kL1A, 64, 4);
+  enable(*dma1_, 0, kBits32, 0);
+  EXPECT_THAT([&] { enable(*dma1_, 0, kBits32, 10); },
+              testing::ThrowsMessage<GuestFault>(
+                  testing::HasSubstr("MDMA1_S0_CONFIG was written while the channel runs")));
+}
+
+TEST_F(MemoryDmaTest, CurrentRegistersFollowTheTransfer) {
+  program(*dma1_, kS0, kL3, 100, 4);
+  program(*dma1_, kD0, kL1A, 100, 4);
+  enable(*dma1_, 0, kBits32, 0);
+  EXPECT_EQ(dma1_->read(kS0 + kCurrentAddress, 4), kL3);
+  EXPECT_EQ(dma1_->read(kS0 + kCurrentXCount, 2), 100U);
+  dma1_->advance(60 * kSclk);  // two bursts were asked for
+  EXPECT_EQ(dma1_->read(kS0 + kCurrentAddress, 4), kL3 + 3 * 64);
+  EXPECT_EQ(dma1_->read(kD0 + kCurrentAddress, 4), kL1A + 2 * 64);
+  EXPECT_EQ(dma1_->read(kD0 + kCurrentXCount, 2), 100U - 32);
+}
+
+}  // namespace
+}  // namespace finback::dma
