@@ -27,19 +27,42 @@ bool is_nop(const Instruction& info) {
 }
 
 // In a packet everybody reads before anybody writes. Run one after the other that holds in this
-// order: stores read data registers, the DSP slot reads and writes them, loads only write them (and
-// no two slots write the same).
+// order: the DSP slot reads and writes data registers, loads only write them and read memory,
+// stores write memory, and a step of an index register comes after the access that goes through it
+// (no two slots write the same register). What a store reads is saved first where another slot
+// writes it.
 int order_in_packet(const Instruction& info) {
   switch (info.memory) {
-    case MemoryUse::store:
-      return 0;
     case MemoryUse::load:
     case MemoryUse::load_store:
+      return 1;
+    case MemoryUse::store:
       return 2;
     case MemoryUse::none:
-      return 1;
+      break;
   }
-  return 1;
+  return info.slot == isa::Slot::access ? 3 : 0;
+}
+
+bool writes_register(const ir::PlacedInstruction& instruction, int reg) {
+  const isa::OperandRoles& roles = isa::roles_of(instruction.instruction);
+  for (int i = 0; i < roles.count; ++i) {
+    if (roles[i].written && isa::is_register(roles[i].kind) &&
+        isa::register_of(instruction.operand[static_cast<std::size_t>(i)]) == reg) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Index of the operand that a store takes its value from: its last.
+std::size_t stored_operand(const ir::PlacedInstruction& store) {
+  return static_cast<std::size_t>(isa::roles_of(store.instruction).count - 1);
+}
+
+const Operation* save_stored(isa::ExecutionState& state, const Operation* operation) {
+  state.reg[isa::kScratchRegister] = state.reg[static_cast<std::size_t>((*operation)[0])];
+  return operation + 1;
 }
 
 Flow flow_of(const ir::PlacedPacket& packet) { return info_of(packet.slots[0]).flow; }
@@ -197,8 +220,36 @@ void BlockBuilder::add_operations(Draft& draft, const ir::PlacedPacket& packet, 
     operation.cycle = static_cast<std::uint16_t>(cycle);
     operation.length = packet.length;
     operation.address = packet.address;
+    if (i > 0 && info_of(*order[i]).memory == MemoryUse::store) {
+      save_store_source(draft, std::span(order).first(count), *order[i], operation);
+    }
     draft.operations.push_back(operation);
   }
+}
+
+// Saves the value that `store` writes before the packet's first operation, when another slot
+// changes its register; the store's operation then takes it from the scratch register.
+void BlockBuilder::save_store_source(Draft& draft, std::span<const ir::PlacedInstruction*> packet,
+                                     const ir::PlacedInstruction& store, Operation& operation) {
+  std::int32_t& source = operation.operand[stored_operand(store)];
+  const int reg = isa::register_of(source);
+  std::size_t before = 0;  // operations of this packet that already stand in the draft
+  bool changed = false;
+  for (const ir::PlacedInstruction* other : packet) {
+    if (other == &store) {
+      break;
+    }
+    ++before;
+    changed |= writes_register(*other, reg);
+  }
+  if (!changed) {
+    return;
+  }
+  Operation save;
+  save.execute = save_stored;
+  save.operand[0] = reg;
+  draft.operations.insert(draft.operations.end() - static_cast<std::ptrdiff_t>(before), save);
+  source = isa::kScratchRegister | (source & isa::kHighHalf);
 }
 
 void BlockBuilder::add_conflict_check(Draft& draft, const ir::PlacedPacket& packet,

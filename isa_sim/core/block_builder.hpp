@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <set>
+#include <span>
 #include <unordered_map>
 
 #include <isa_sim/core/block.hpp>
@@ -36,6 +37,8 @@ class BlockBuilder {
   void add_packet(Draft& draft, std::uint32_t index) const;
   void add_operations(Draft& draft, const ir::PlacedPacket& packet, std::uint32_t index,
                       Cycles cycle) const;
+  static void save_store_source(Draft& draft, std::span<const ir::PlacedInstruction*> packet,
+                                const ir::PlacedInstruction& store, isa::Operation& operation);
   void add_conflict_check(Draft& draft, const ir::PlacedPacket& packet, std::uint32_t index,
                           Cycles cycle) const;
   void add_fetch(Draft& draft, const ir::PlacedPacket& packet, std::uint32_t index) const;

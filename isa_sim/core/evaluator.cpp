@@ -116,17 +116,25 @@ void Evaluator::execute(const ir::PlacedPacket& packet) {
   }
   charge_sub_bank(packet, end);
 
-  // Every slot runs on the state before the packet; what it changes is merged afterwards.
+  // Every slot runs on the state before the packet, loads before stores; what it changes is merged.
   const Address fall_through = packet.address + packet.length;
   const ExecutionState before = state_;
   state_.time = issue_at;
   state_.next_address = fall_through;
-  for (std::size_t slot = 0; slot < packet.count; ++slot) {
+  std::vector<const ir::PlacedInstruction*> order;
+  for (const bool stores : {false, true}) {
+    for (std::size_t slot = 0; slot < packet.count; ++slot) {
+      if ((info_of(packet.slots[slot]).memory == isa::MemoryUse::store) == stores) {
+        order.push_back(&packet.slots[slot]);
+      }
+    }
+  }
+  for (const ir::PlacedInstruction* instruction : order) {
     ExecutionState copy = before;
     copy.next_address = fall_through;
     Operation operation;
-    operation.execute = info_of(packet.slots[slot]).execute;
-    operation.operand = packet.slots[slot].operand;
+    operation.execute = info_of(*instruction).execute;
+    operation.operand = instruction->operand;
     operation.window = no_window();
     operation.length = packet.length;
     operation.address = packet.address;
@@ -236,7 +244,7 @@ void Evaluator::note_results(const ir::PlacedInstruction& instruction, Cycles do
   }
 }
 
-void Evaluator::charge_sub_bank(const ir::PlacedPacket& packet, Cycles& end) const {
+void Evaluator::charge_sub_bank(const ir::PlacedPacket& packet, Cycles& end) {
   std::vector<Address> accesses;
   for (std::size_t slot = 0; slot < packet.count; ++slot) {
     const ir::PlacedInstruction& instruction = packet.slots[slot];
@@ -259,7 +267,13 @@ void Evaluator::charge_sub_bank(const ir::PlacedPacket& packet, Cycles& end) con
   const Address bank = static_cast<Address>(std::int64_t{parameters_.sub_bank_bytes});
   if (accesses.size() == 2 && accesses[0] / bank == accesses[1] / bank &&
       ((accesses[0] ^ accesses[1]) & 4) == 0) {
-    end += cycles_of(parameters_.sub_bank_conflict);
+    // The pipeline stands still: results on their way come no nearer.
+    const Cycles stall = cycles_of(parameters_.sub_bank_conflict);
+    end += stall;
+    for (std::size_t reg = 0; reg < address_ready_.size(); ++reg) {
+      address_ready_[reg] += stall;
+      ex1_ready_[reg] += stall;
+    }
   }
 }
 

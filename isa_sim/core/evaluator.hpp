@@ -35,7 +35,7 @@ class Evaluator {
   void merge(const isa::ExecutionState& before, const isa::ExecutionState& after);
   void stall_for_operands(const ir::PlacedInstruction& instruction, Cycles& issue_at) const;
   void note_results(const ir::PlacedInstruction& instruction, Cycles done);
-  void charge_sub_bank(const ir::PlacedPacket& packet, Cycles& end) const;
+  void charge_sub_bank(const ir::PlacedPacket& packet, Cycles& end);
   [[nodiscard]] const ir::PlacedPacket& packet_at(Address address) const;
 
   int core_;

@@ -79,13 +79,18 @@ struct EngineHooks {
   bool (*device_write)(ExecutionState& state, const Operation& operation, Address address,
                        int bytes, std::uint32_t value);
   // TESTSET of the byte at `address`; same contract.
-  bool (*test_and_set)(ExecutionState& state, const Operation& operation, Address address, std::uint8_t& old);
+  bool (*test_and_set)(ExecutionState& state, const Operation& operation, Address address,
+                       std::uint8_t& old);
   void (*system)(ExecutionState& state, const Operation& operation, SystemAction action,
                  std::uint32_t value);
 };
 
+// Beyond the architecture: holds what a packet's store is going to write while its other slots
+// write the register that it comes from.
+inline constexpr int kScratchRegister = kRegisterCount;
+
 struct ExecutionState {
-  std::array<std::uint32_t, kRegisterCount> reg{};
+  std::array<std::uint32_t, kRegisterCount + 1> reg{};
   std::array<std::int64_t, 2> accumulator{};  // 40 bits, sign-extended
   // Status flags (ASTAT), one byte each so that setting one is one store.
   std::uint8_t cc = 0, az = 0, an = 0, ac0 = 0, ac1 = 0, v = 0, vs = 0, aq = 0;

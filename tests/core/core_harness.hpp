@@ -74,7 +74,7 @@ class CoreHarness : public SystemPort {
 // `body` as the whole of _start, and its cycles without the closing IDLE.
 [[nodiscard]] inline std::string program(const std::string& body, const std::string& data = "") {
   return ".text\n.global _start\n.type _start, @function\n_start:\n" + body +
-         "\nIDLE;\n.size _start, .-_start\n" + data;
+         "\nIDLE;\nRTS;\n.size _start, .-_start\n" + data;
 }
 
 }  // namespace finback::core

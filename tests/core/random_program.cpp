@@ -47,7 +47,7 @@ class Generator {
       packets -= length;
     }
     return ".text\n.global _start\n.type _start, @function\n_start:\n" + body +
-           "IDLE;\n.size _start, .-_start\n.data\n.align 4\n.type _buffer, @object\n_buffer: "
+           "IDLE;\nRTS;\n.size _start, .-_start\n.data\n.align 4\n.type _buffer, @object\n_buffer: "
            ".space 16384\n.size "
            "_buffer, 16384\n";
   }
@@ -83,6 +83,10 @@ class Generator {
   std::string packet() {
     std::string setup;
     std::string text = instruction(any(), setup);
+    while (!legal(text)) {  // a load into its own stepping base register, say
+      setup.clear();
+      text = instruction(any(), setup);
+    }
     if (random_() % 2 == 0) {
       std::string joined_setup;
       std::string joined = instruction(any_in(isa::Slot::dsp), joined_setup);
@@ -125,7 +129,10 @@ class Generator {
     bool base_set = false;
     for (int i = 0; i < roles.count; ++i) {
       std::int32_t& number = parsed.operand[static_cast<std::size_t>(i)].number;
-      number = draw(roles[i].kind);
+      do {  // a step register is not its own base
+        number = draw(roles[i].kind);
+      } while (access && i > 0 && roles[i].address_stage && roles[i - 1].address_stage &&
+               number == parsed.operand[static_cast<std::size_t>(i - 1)].number);
       if (!access || !roles[i].address_stage) {
         continue;
       }

@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Calls, CallAndReturnTakeFiveEach) {
   const std::string body =
-      ".text\n.global _start\n.type _start, @function\n_start: CALL _f; IDLE;\n.size _start, "
+      ".text\n.global _start\n.type _start, @function\n_start: CALL _f; IDLE; RTS;\n.size _start, "
       ".-_start\n"
       ".type _f, @function\n_f: R0 = 7 (X); RTS;\n.size _f, .-_f\n";
   CoreHarness harness(body);
@@ -136,7 +136,7 @@ TEST(Calls, CallAndReturnTakeFiveEach) {
 // hardware.md 6.1: the inner column of transpm costs rows + 4, that of matmmlt Ac + 4.
 TEST(PublishedKernels, TransposeColumn) {
   const std::string column =
-      "P0.L = _buffer; P0.H = _buffer; I0 = P0; I1 = P0; P1 = 8 (X); M0 = 4 (X);\n";
+      "P0.L = _buffer; P0.H = _buffer; I0 = P0; I1 = P0; P1 = 8 (X);\n";
   const std::string kernel =
       "R0 = [P0++P1]; LSETUP (.Lt, .Lt) LC0 = P1; .Lt: MNOP || R0 = [P0++P1] || [I1++] = R0; I0 += "
       "2; P0 = I0;\n";
