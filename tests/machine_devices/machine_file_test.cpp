@@ -1,0 +1,164 @@
+// Machine files: the BF561's, and what is wrong with others.
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <common/error.hpp>
+#include <common/file.hpp>
+#include <isa_sim/machine/machine_description.hpp>
+
+namespace finback::machine {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+const std::filesystem::path kSource = FINBACK_SOURCE_DIR;
+
+TEST(MachineFile, Bf561IsTheDefaultMachine) {
+  const auto loaded = load_machine(kSource / "machines" / "bf561.toml");
+  const MachineDescription defaults;
+  EXPECT_EQ(loaded->name, defaults.name);
+  const auto values = std::as_const(*loaded).parameters();
+  const auto wanted = defaults.parameters();
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    EXPECT_EQ(values[i]->value(), wanted[i]->value()) << wanted[i]->declaration().name;
+  }
+  ASSERT_EQ(loaded->map.regions.size(), defaults.map.regions.size());
+  for (std::size_t i = 0; i < defaults.map.regions.size(); ++i) {
+    const memory::Region& region = loaded->map.regions[i];
+    const memory::Region& other = defaults.map.regions[i];
+    EXPECT_EQ(region.name, other.name);
+    EXPECT_EQ(region.base, other.base) << region.name;
+    EXPECT_EQ(region.size, other.size) << region.name;
+    EXPECT_EQ(region.level, other.level) << region.name;
+    EXPECT_EQ(region.core, other.core) << region.name;
+    EXPECT_EQ(region.code, other.code) << region.name;
+    EXPECT_EQ(region.data, other.data) << region.name;
+    EXPECT_EQ(region.dma_reachable, other.dma_reachable) << region.name;
+  }
+}
+
+TEST(MachineFile, TheManualsPageOfParametersIsTheGeneratedOne) {
+  EXPECT_EQ(read_text_file(kSource / "docs" / "machine-parameters.md"), parameters_as_markdown())
+      << "write it anew: finback machine > docs/machine-parameters.md";
+}
+
+TEST(MachineFile, EveryParameterCanBeSetByFileAndByName) {
+  const MachineDescription defaults;
+  for (const ParameterBase* parameter : defaults.parameters()) {
+    const ParameterDeclaration& d = parameter->declaration();
+    if (d.name.starts_with("clock.")) {
+      continue;  // go together: the ratio is whole
+    }
+    const std::string name(d.name);
+    const auto dot = name.rfind('.');
+    const auto machine = parse_machine("[" + name.substr(0, dot) + "]\n" + name.substr(dot + 1) +
+                                           " = " + std::to_string(d.maximum) + "\n",
+                                       "m.toml");
+    EXPECT_EQ(machine->get(name), d.maximum) << name;
+    MachineDescription other;
+    other.set(name, d.minimum);
+    EXPECT_EQ(other.clone()->get(name), d.minimum) << name;
+  }
+}
+
+TEST(MachineFile, NamesOfParametersAreUnique) {
+  std::vector<std::string_view> names;
+  const MachineDescription defaults;
+  for (const ParameterBase* parameter : defaults.parameters()) {
+    names.push_back(parameter->declaration().name);
+    EXPECT_FALSE(parameter->declaration().source.empty()) << names.back();
+    EXPECT_FALSE(parameter->declaration().meaning.empty()) << names.back();
+  }
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+TEST(MachineFile, UnknownParameterNamesTheNearest) {
+  MachineDescription machine;
+  EXPECT_THAT([&] { machine.set("memory.l2.read_cicles", 1); },
+              ThrowsMessage<InputError>("unknown machine parameter memory.l2.read_cicles, did you "
+                                        "mean memory.l2.read_cycles"));
+}
+
+struct WrongFile {
+  const char* name;
+  const char* text;
+  const char* message;
+};
+
+class MachineFileError : public testing::TestWithParam<WrongFile> {};
+
+TEST_P(MachineFileError, NamesPlaceAndMend) {
+  EXPECT_THAT([] { static_cast<void>(parse_machine(GetParam().text, "m.toml")); },
+              ThrowsMessage<InputError>(HasSubstr(GetParam().message)));
+}
+
+constexpr const char* kRegion =
+    "[[region]]\nname = \"l2\"\nbase = 0xFEB00000\nsize = 0x20000\nlevel = \"l2\"\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    All, MachineFileError,
+    testing::Values(
+        WrongFile{"syntax", "[memory\n", "m.toml:1:"},
+        WrongFile{"unknown_key", "[memory.l2]\n\nread_cicles = 9\n",
+                  "m.toml:3:1: unknown key memory.l2.read_cicles, did you mean "
+                  "memory.l2.read_cycles"},
+        WrongFile{"unknown_at_top", "colour = 1\n", "m.toml:1:1: unknown key colour"},
+        WrongFile{"text", "[memory.l2]\nread_cycles = \"nine\"\n",
+                  "m.toml:2:15: memory.l2.read_cycles wants a number of CCLK"},
+        WrongFile{"range", "[memory.l2]\nread_cycles = 900\n",
+                  "m.toml:2:15: memory.l2.read_cycles = 900 is out of range: it takes 1 to 64"},
+        WrongFile{"fraction", "[memory.l2]\nread_cycles = 9.5\n",
+                  "m.toml:2:15: memory.l2.read_cycles = 9.5 has a fraction"},
+        WrongFile{"ratio", "[clock]\nsclk_mhz = 133\n", "m.toml: clock.cclk_mhz = 600 over"},
+        WrongFile{"name", "name = 7\n", "m.toml:1:8: name wants a text in quotes"},
+        WrongFile{"region_table", "[region]\nname = \"l2\"\n",
+                  "m.toml:1:1: region wants [[region]]"},
+        WrongFile{"region_key", "[[region]]\nnome = \"l2\"\n",
+                  "m.toml:2:1: unknown key of a region: nome, did you mean name"},
+        WrongFile{"region_lacks", "[[region]]\nname = \"l2\"\n", "m.toml:1:1: a region needs base"},
+        WrongFile{"region_size", "[[region]]\nname = \"l2\"\nbase = 0\nsize = 6\n",
+                  "m.toml:4:8: region.size wants a multiple of 4 from 4"},
+        WrongFile{"region_level", "[[region]]\nname = \"l2\"\nbase = 0\nsize = 8\nlevel = \"l4\"\n",
+                  "m.toml:5:9: region.level = \"l4\": it is \"l1\", \"l2\" or \"l3\""},
+        WrongFile{"region_core", "[[region]]\nname = \"x\"\nbase = 0\nsize = 8\nlevel = \"l1\"\n",
+                  "region x: an l1 region needs core"},
+        WrongFile{"region_core_name",
+                  "[[region]]\nname = \"x\"\nbase = 0\nsize = 8\nlevel = \"l1\"\ncore = \"c\"\n",
+                  "m.toml:6:8: region.core = \"c\": it is \"core_a\" or \"core_b\""},
+        WrongFile{"region_device",
+                  "[[region]]\nname = \"x\"\nbase = 0xFFBFFFFC\nsize = 8\nlevel = \"l3\"\n",
+                  "region x reaches into the device registers"},
+        WrongFile{"region_flag",
+                  "[[region]]\nname = \"x\"\nbase = 0\nsize = 8\nlevel = \"l3\"\ncode = 1\n",
+                  "m.toml:6:8: region.code wants true or false"}),
+    [](const testing::TestParamInfo<WrongFile>& wrong) { return wrong.param.name; });
+
+TEST(MachineFile, RegionsThatOverlapOrRepeatAreErrors) {
+  const std::string region = kRegion;
+  EXPECT_THAT([&] { static_cast<void>(parse_machine(region + region, "m.toml")); },
+              ThrowsMessage<InputError>(
+                  HasSubstr("m.toml:6:1: region l2 at 0xfeb00000 overlaps l2 at 0xfeb00000")));
+  std::string second = region;
+  second.replace(second.find("FEB"), 3, "FEC");
+  EXPECT_THAT([&] { static_cast<void>(parse_machine(region + second, "m.toml")); },
+              ThrowsMessage<InputError>(HasSubstr("two regions l2")));
+  second.replace(second.find("\"l2\""), 4, "\"l9\"");
+  EXPECT_THAT([&] { static_cast<void>(parse_machine(region + second, "m.toml")); },
+              ThrowsMessage<InputError>(HasSubstr("regions l2 and l9 are both l2")));
+}
+
+TEST(MachineFile, OneRegionReplacesTheWholeMap) {
+  EXPECT_EQ(parse_machine(kRegion, "m.toml")->map.regions.size(), 1U);
+  EXPECT_GT(parse_machine("", "m.toml")->map.regions.size(), 1U);
+}
+
+TEST(MachineFile, AMissingFileIsNamed) {
+  EXPECT_THAT([] { static_cast<void>(load_machine("/nowhere/m.toml")); },
+              ThrowsMessage<InputError>(HasSubstr("/nowhere/m.toml")));
+}
+
+}  // namespace
+}  // namespace finback::machine
