@@ -11,7 +11,8 @@ namespace finback::isa {
 // followed by marks:
 //   !  written    +  read and written    (neither)  read    @  read in stage AC (addresses, pointer
 //   arithmetic)
-// and `{=N}` for operand N (from 0) once more, as in "{D+} = ({=0} + {D}) << 1". For example
+// and `{=N}` for operand N (from 0) once more, as in "{D+} = ({=0} + {D}) << 1"; `{?(X)}` at
+// the end is text that may be left out. For example
 // "{D!} = [{P@+}++]". The value of a register operand is its Register number; of a half
 // or byte register `reg | kHighHalf` for the high half, `reg` for the low; of an immediate, its
 // value after scaling; of a label or symbol, its address (the part asked for by the instruction).

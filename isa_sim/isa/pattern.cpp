@@ -62,6 +62,12 @@ int read_repeated(std::string_view syntax, std::string_view inside, int count) {
   return which;
 }
 
+void add_literals(std::vector<PatternStep>& steps, std::string_view text) {
+  for (const Token& token : tokenize(text)) {
+    steps.push_back({.literal = upper(token.text)});
+  }
+}
+
 std::string print_register_kind(OperandKind kind, int value) {
   const std::string name(register_name(static_cast<Register>(register_of(value))));
   switch (kind) {
@@ -95,9 +101,7 @@ Pattern compile_pattern(std::string_view syntax) {
   while (position < syntax.size()) {
     const std::size_t open = std::min(syntax.find('{', position), syntax.size());
     const std::string_view literal = syntax.substr(position, open - position);
-    for (const Token& token : tokenize(literal, std::string(syntax))) {
-      pattern.steps.push_back({.literal = upper(token.text)});
-    }
+    add_literals(pattern.steps, literal);
     text += literal;
     if (open == syntax.size()) {
       break;
@@ -107,6 +111,16 @@ Pattern compile_pattern(std::string_view syntax) {
       malformed(syntax, "'{' without '}'");
     }
     const std::string_view inside = syntax.substr(open + 1, close - open - 1);
+    position = close + 1;
+    if (inside.starts_with('?')) {
+      if (position != syntax.size()) {
+        malformed(syntax, "what may be left out stands at the end");
+      }
+      pattern.short_steps = pattern.steps;
+      add_literals(pattern.steps, inside.substr(1));
+      text += inside.substr(1);
+      break;
+    }
     OperandRoles& roles = pattern.roles;
     pattern.texts.push_back(std::exchange(text, {}));
     if (inside.starts_with('=')) {
@@ -126,7 +140,6 @@ Pattern compile_pattern(std::string_view syntax) {
       pattern.values.push_back(roles.count);
       roles.role[static_cast<std::size_t>(roles.count++)] = role;
     }
-    position = close + 1;
   }
   pattern.texts.push_back(text);
   if (pattern.steps.empty()) {

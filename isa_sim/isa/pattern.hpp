@@ -21,6 +21,7 @@ struct PatternStep {
 
 struct Pattern {
   std::vector<PatternStep> steps;
+  std::vector<PatternStep> short_steps;  // without `{?text}`; empty when there is none
   OperandRoles roles;
   std::vector<std::string> texts;  // between the values printed: one more than `values`
   std::vector<int> values;         // operand numbers in the order of printing

@@ -159,8 +159,16 @@ struct Syntax::Compiled {
   }
 
   void add(int entry, Pattern pattern) {
+    add_steps(entry, pattern.steps);
+    if (!pattern.short_steps.empty()) {
+      add_steps(entry, pattern.short_steps);
+    }
+    patterns.push_back(std::move(pattern));
+  }
+
+  void add_steps(int entry, const std::vector<PatternStep>& steps) {
     int node = 0;
-    for (const PatternStep& step : pattern.steps) {
+    for (const PatternStep& step : steps) {
       node = target(node, step);
     }
     int& end = nodes[static_cast<std::size_t>(node)].entry;
@@ -169,7 +177,6 @@ struct Syntax::Compiled {
     } else {
       end = entry;
     }
-    patterns.push_back(std::move(pattern));
   }
 
   [[nodiscard]] Word look_up(const Token& token) const {

@@ -1,10 +1,11 @@
 // The syntax of instructions, compiled from the table: reading, printing, and the role of operands.
 //
 // A pattern is literal text with operands between braces, `{kind marks}` (operand.hpp); `{=N}`
-// stands for operand N once more and must be written the same. Where several entries read the same
-// text the first in the table wins, so that short forms stand before long ones. Spaces and the case
-// of registers and mnemonics are free. Does not know packets or directives: those are ir/parser's.
-// Source: the algebraic syntax of the Blackfin Programming Reference, as GNU as reads it.
+// stands for operand N once more and must be written the same, `{?text}` at the end for literal
+// text that may be left out ("R0 = 5 (X)"). Where several entries read the same text the first in
+// the table wins, so that short forms stand before long ones. Spaces and the case of registers and
+// mnemonics are free. Does not know packets or directives: those are ir/parser's. Source: the
+// algebraic syntax of the Blackfin Programming Reference, as GNU as reads it.
 #pragma once
 
 #include <array>

@@ -22,7 +22,7 @@ constexpr Instruction entry(std::string_view syntax, int length = 2, Slot slot =
 
 constexpr std::array kTable = {
     /* 0 */ entry("{D!} = {imm7} (X)"),
-    /* 1 */ entry("{D!} = {imm16} (X)", 4),
+    /* 1 */ entry("{D!} = {imm16} {?(X)}", 4),
     /* 2 */ entry("{D!} = [{P@+}++]", 2, Slot::access),
     /* 3 */ entry("{D!} = [{P@} + {off4x4}]", 2, Slot::access),
     /* 4 */ entry("{D!} = [FP + {off5n4}]", 2, Slot::access),
@@ -80,6 +80,11 @@ TEST(Syntax, TakesTheFirstEntryWhoseImmediateFits) {
   EXPECT_EQ(reads_as("R0 = -0x41 (X)"), "1: R0 = -65 (X)");
   EXPECT_EQ(reads_as("R0 = [P1 + 60]"), "3: R0 = [P1 + 60]");
   EXPECT_EQ(reads_as("R0 = [P1 + 64]"), "5: R0 = [P1 + 64]");
+}
+
+TEST(Syntax, TextMayBeLeftOut) {
+  EXPECT_EQ(reads_as("R0 = 5"), "1: R0 = 5 (X)");
+  EXPECT_EQ(reads_as("R0 = 500 (X)"), "1: R0 = 500 (X)");
 }
 
 TEST(Syntax, ReadsMinusOffsets) {
@@ -169,6 +174,7 @@ TEST(Syntax, RefusesMalformedPatterns) {
   EXPECT_THAT(error_of_pattern("{D!} = {=1}"), HasSubstr("repeats no operand before it"));
   EXPECT_THAT(error_of_pattern("{imm7!} = {D}"), HasSubstr("neither written"));
   EXPECT_THAT(error_of_pattern("{D}{D}{D}{D}{D}{D}{D}"), HasSubstr("too many operands"));
+  EXPECT_THAT(error_of_pattern("{D!} {?(X)} = 1"), HasSubstr("stands at the end"));
   EXPECT_THAT(error_of_pattern(""), HasSubstr("it is empty"));
 }
 
