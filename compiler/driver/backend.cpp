@@ -1,0 +1,143 @@
+#include "backend.hpp"
+
+#include <llvm/CodeGen/MachineModuleInfo.h>
+#include <llvm/CodeGen/Passes.h>
+#include <llvm/CodeGen/TargetPassConfig.h>
+#include <llvm/IR/Constants.h>
+#include <llvm/IR/LegacyPassManager.h>
+#include <llvm/MC/MCInstPrinter.h>
+#include <llvm/Passes/PassBuilder.h>
+#include <llvm/Support/raw_ostream.h>
+
+#include "../target/Bfin.hpp"
+#include "../target/BfinAsmPrinter.hpp"
+#include "../target/BfinMCTargetDesc.hpp"
+#include "../target/BfinMachineFunctionInfo.hpp"
+#include "../target/BfinTargetMachine.hpp"
+#include "../target/BirStreamer.hpp"
+
+namespace finback::compiler {
+namespace {
+
+using namespace llvm;
+
+void mark_handlers(Module& module) {
+  const GlobalVariable* annotations = module.getGlobalVariable("llvm.global.annotations");
+  const auto* entries = annotations == nullptr || !annotations->hasInitializer()
+                            ? nullptr
+                            : dyn_cast<ConstantArray>(annotations->getInitializer());
+  if (entries == nullptr)
+    return;
+  for (const Use& use : entries->operands()) {
+    const auto* entry = cast<ConstantStruct>(use.get());
+    auto* function = dyn_cast<Function>(entry->getOperand(0)->stripPointerCasts());
+    const auto* text = dyn_cast<GlobalVariable>(entry->getOperand(1)->stripPointerCasts());
+    const auto* data = text == nullptr ? nullptr : dyn_cast<ConstantDataArray>(text->getInitializer());
+    if (function == nullptr || data == nullptr || data->getAsCString() != "interrupt")
+      continue;
+    function->addFnAttr(kInterruptAttribute);
+    // A vector table or core start-up names it, not C.
+    function->addFnAttr(Attribute::NoInline);
+  }
+}
+
+/// String literals and other unnamed constants get names that say what they are.
+void name_private_data(Module& module) {
+  for (GlobalVariable& global : module.globals()) {
+    if (!global.hasPrivateLinkage())
+      continue;
+    std::string name = global.getName().str();
+    if (StringRef(name).starts_with(".str"))
+      name = "literal" + name.substr(4);
+    for (char& c : name)
+      if (c == '.')
+        c = '_';
+    global.setName(StringRef(name).ltrim('_'));
+    global.setLinkage(GlobalValue::InternalLinkage);
+  }
+}
+
+OptimizationLevel middle_end_level(char level) {
+  switch (level) {
+    case '0':
+      return OptimizationLevel::O0;
+    case '1':
+      return OptimizationLevel::O1;
+    case '3':
+      return OptimizationLevel::O3;
+    case 's':
+      return OptimizationLevel::Os;
+    default:
+      return OptimizationLevel::O2;
+  }
+}
+
+void run_middle_end(Module& module, TargetMachine& machine, char level) {
+  PipelineTuningOptions tuning;
+  tuning.LoopVectorization = false;
+  tuning.SLPVectorization = false;
+  PassBuilder builder(&machine, tuning);
+  LoopAnalysisManager loops;
+  FunctionAnalysisManager functions;
+  CGSCCAnalysisManager components;
+  ModuleAnalysisManager modules;
+  builder.registerModuleAnalyses(modules);
+  builder.registerCGSCCAnalyses(components);
+  builder.registerFunctionAnalyses(functions);
+  builder.registerLoopAnalyses(loops);
+  builder.crossRegisterProxies(loops, functions, components, modules);
+  OptimizationLevel target = middle_end_level(level);
+  ModulePassManager passes = target == OptimizationLevel::O0
+                                 ? builder.buildO0DefaultPipeline(target)
+                                 : builder.buildPerModuleDefaultPipeline(target);
+  passes.run(module, modules);
+}
+
+std::unique_ptr<BfinTargetMachine> make_machine(const Module& module) {
+  TargetOptions options;
+  options.FunctionSections = false;
+  // The code generator works alike at every level; -O0 only spares the middle end.
+  auto* machine = static_cast<BfinTargetMachine*>(getBfinTarget().createTargetMachine(
+      module.getTargetTriple(), "bf561", "", options, Reloc::Static, CodeModel::Small,
+      CodeGenOptLevel::Default));
+  return std::unique_ptr<BfinTargetMachine>(machine);
+}
+
+}  // namespace
+
+void prepare(Module& module) { mark_handlers(module); }
+
+std::string generate(Module& module, const Options& options) {
+  std::unique_ptr<BfinTargetMachine> machine = make_machine(module);
+  run_middle_end(module, *machine, options.level);
+  name_private_data(module);  // the middle end makes tables of its own
+  std::string text;
+  raw_string_ostream out(text);
+  if (options.emit_llvm) {
+    module.print(out, nullptr);
+    return text;
+  }
+  legacy::PassManager passes;
+  passes.add(new TargetLibraryInfoWrapperPass(Triple(module.getTargetTriple())));
+  auto* machine_module = new MachineModuleInfoWrapperPass(machine.get());
+  machine_module->getMMI().getContext().setUseNamesOnTempLabels(true);
+  TargetPassConfig* config = machine->createPassConfig(passes);
+  config->setDisableVerify(!options.verify);
+  passes.add(config);
+  passes.add(machine_module);
+  if (config->addISelPasses())
+    report_fatal_error("the code generator has no instruction selector");
+  config->addMachinePasses();
+  config->setInitialized();
+  std::unique_ptr<MCInstPrinter> printer(getBfinTarget().createMCInstPrinter(
+      machine->getTargetTriple(), 0, *machine->getMCAsmInfo(), *machine->getMCInstrInfo(),
+      *machine->getMCRegisterInfo()));
+  passes.add(createBfinAsmPrinter(
+      *machine, std::make_unique<BirStreamer>(machine_module->getMMI().getContext(), out,
+                                              std::move(printer))));
+  passes.add(createFreeMachineFunctionPass());
+  passes.run(module);
+  return text;
+}
+
+}  // namespace finback::compiler

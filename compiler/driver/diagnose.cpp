@@ -1,0 +1,108 @@
+#include "diagnose.hpp"
+
+#include <llvm/IR/DebugInfoMetadata.h>
+#include <llvm/IR/InstIterator.h>
+#include <llvm/IR/Instructions.h>
+#include <llvm/IR/IntrinsicInst.h>
+
+#include "../target/BfinMachineFunctionInfo.hpp"
+
+namespace finback::compiler {
+namespace {
+
+using namespace llvm;
+
+bool has_vector(const Type* type) { return type->isVectorTy(); }
+
+bool is_wide_integer(const Type* type) {
+  return type->isIntegerTy() && type->getIntegerBitWidth() > 64;
+}
+
+/// Floating-point values may be copied about; computing with them needs a library that is not there.
+bool computes_in_float(const Instruction& inst) {
+  if (isa<LoadInst>(inst) || isa<StoreInst>(inst) || isa<PHINode>(inst) || isa<SelectInst>(inst) ||
+      isa<ReturnInst>(inst) || isa<BitCastInst>(inst))
+    return false;
+  if (isa<CallInst>(inst) && !isa<IntrinsicInst>(inst))
+    return false;
+  if (inst.getType()->isFloatingPointTy())
+    return true;
+  return any_of(inst.operands(),
+                [](const Use& use) { return use->getType()->isFloatingPointTy(); });
+}
+
+std::string problem_of_call(const CallBase& call) {
+  if (call.isInlineAsm()) {
+    const auto* text = cast<InlineAsm>(call.getCalledOperand());
+    if (!text->getAsmString().empty())
+      return "inline assembly is not supported; use the functions of <finback/blackfin.h>";
+    return call.arg_empty() ? "" : "inline assembly with operands is not supported";
+  }
+  const Function* callee = call.getCalledFunction();
+  if (callee == nullptr || !callee->getName().starts_with("__builtin_bfin_"))
+    return "";
+  StringRef name = callee->getName().substr(15);
+  if (name == "raise" || name == "excpt") {
+    const auto* number = dyn_cast<ConstantInt>(call.getArgOperand(0));
+    return number != nullptr && number->getZExtValue() < 16
+               ? ""
+               : ("the argument of " + callee->getName() + " must be a constant from 0 to 15").str();
+  }
+  static constexpr const char* kKnown[] = {"csync", "ssync", "idle", "nop",
+                                           "cli",   "sti",   "testset", "ones"};
+  return is_contained(kKnown, name) ? "" : ("there is no instruction behind " + callee->getName()).str();
+}
+
+std::string problem_of(const Instruction& inst) {
+  if (isa<AtomicRMWInst>(inst) || isa<AtomicCmpXchgInst>(inst))
+    return "atomic read-modify-write is not supported; use __builtin_bfin_testset or cli/sti";
+  if (isa<IndirectBrInst>(inst))
+    return "computed goto is not supported";
+  if (has_vector(inst.getType()))
+    return "vector types are not supported";
+  if (is_wide_integer(inst.getType()))
+    return "integers wider than 64 bits are not supported";
+  if (const auto* local = dyn_cast<AllocaInst>(&inst); local != nullptr && local->getAlign() > 4)
+    return "a local variable cannot be aligned to more than 4 bytes; make it static";
+  if (computes_in_float(inst))
+    return "floating-point arithmetic is not supported; use fixed point";
+  if (const auto* call = dyn_cast<CallBase>(&inst))
+    return problem_of_call(*call);
+  return "";
+}
+
+std::string place(const Function& function, const DebugLoc& loc, const std::string& input) {
+  if (loc && loc.getLine() != 0)
+    return (loc->getFilename() + ":" + Twine(loc.getLine()) + ":" + Twine(loc.getCol())).str();
+  if (const DISubprogram* sub = function.getSubprogram())
+    return (sub->getFilename() + ":" + Twine(sub->getLine()) + ":1").str();
+  return input + ":1:1";
+}
+
+}  // namespace
+
+std::vector<std::string> unsupported_constructs(const Module& module, const std::string& input) {
+  std::vector<std::string> messages;
+  auto add = [&](const std::string& where, const std::string& what) {
+    std::string message = where + ": error: " + what;
+    if (!what.empty() && !is_contained(messages, message))
+      messages.push_back(std::move(message));
+  };
+  for (const Function& function : module) {
+    std::string start = place(function, DebugLoc(), input);
+    if (isInterruptHandler(function) && (!function.arg_empty() || !function.getReturnType()->isVoidTy()))
+      add(start, "an interrupt handler takes no arguments and returns nothing");
+    for (const Instruction& inst : instructions(function))
+      add(place(function, inst.getDebugLoc(), input), problem_of(inst));
+  }
+  for (const GlobalVariable& global : module.globals())
+    if (global.isThreadLocal())
+      add(input + ":1:1", ("thread-local '" + global.getName() + "' is not supported").str());
+  if (!module.getModuleInlineAsm().empty())
+    add(input + ":1:1", "assembly outside functions is not supported; write it in a .bir file");
+  if (!module.alias_empty() || !module.ifunc_empty())
+    add(input + ":1:1", "aliases are not supported");
+  return messages;
+}
+
+}  // namespace finback::compiler

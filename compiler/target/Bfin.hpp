@@ -1,0 +1,32 @@
+// The back end's own passes and its registration.
+// Models: selection, allocation, frames, hardware loops and packets of a BF561-like core, as text.
+// Does not model: encodings, relocations, object files, debug information beyond source lines.
+// Source: hardware.md 1.2-1.6 (rules and cycles), the public Blackfin ABI, GNU as syntax.
+#pragma once
+
+#include <llvm/MC/TargetRegistry.h>
+
+namespace llvm {
+
+class AsmPrinter;
+class BfinTargetMachine;
+class FunctionPass;
+class MCStreamer;
+class raw_ostream;
+
+/// The one Target; no triple selects it, the driver takes it directly.
+Target& getBfinTarget();
+/// Registers the target machine, the MC tables and the printer. Call once.
+void initializeBfinTarget();
+
+FunctionPass* createBfinISelDag(BfinTargetMachine& machine, CodeGenOptLevel level);
+/// Decides which loops of the machine code run on LC0 and LC1; turns the others into count downs.
+FunctionPass* createBfinHardwareLoops();
+/// Gives every virtual register its bank, data or pointer, where the copies cost least.
+FunctionPass* createBfinBankSelect();
+/// After allocation and layout: writes LSETUP and its labels.
+FunctionPass* createBfinLoopLayout();
+/// Shorter forms, predicated moves' leftovers and the branch predictions.
+FunctionPass* createBfinLateForms();
+
+}  // namespace llvm

@@ -1,0 +1,185 @@
+#include "BfinAsmPrinter.hpp"
+
+#include <llvm/BinaryFormat/ELF.h>
+#include <llvm/CodeGen/MachineInstr.h>
+#include <llvm/IR/DebugInfoMetadata.h>
+#include <llvm/IR/Module.h>
+#include <llvm/MC/MCContext.h>
+#include <llvm/MC/MCExpr.h>
+#include <llvm/MC/MCInst.h>
+#include <llvm/MC/MCSectionELF.h>
+#include <llvm/MC/MCSymbol.h>
+
+#include <map>
+
+#include "BfinMCTargetDesc.hpp"
+#include "BfinSubtarget.hpp"
+#include "BirStreamer.hpp"
+
+namespace llvm {
+namespace {
+
+class BfinAsmPrinter : public AsmPrinter {
+ public:
+  BfinAsmPrinter(TargetMachine& machine, std::unique_ptr<BirStreamer> streamer)
+      : AsmPrinter(machine, std::move(streamer)) {}
+
+  StringRef getPassName() const override { return "BIR printer"; }
+  void emitStartOfAsmFile(Module& module) override;
+  void emitGlobalVariable(const GlobalVariable* global) override;
+  void emitFunctionEntryLabel() override;
+  void emitFunctionBodyEnd() override;
+  void emitLinkage(const GlobalValue*, MCSymbol*) const override {}
+  void emitInstruction(const MachineInstr* inst) override;
+  void emitImplicitDef(const MachineInstr*) const override {}
+
+ private:
+  BirStreamer& bir() { return static_cast<BirStreamer&>(*OutStreamer); }
+  void write(const Twine& line) { OutStreamer->emitRawText(line); }
+  void write_name(const GlobalValue& global, const MCSymbol& symbol, StringRef type, Align align);
+  void write_location(const MachineInstr& inst);
+  MCInst lower(const MachineInstr& inst);
+  MCOperand lower_operand(const MachineOperand& operand);
+
+  std::map<std::string, unsigned, std::less<>> files_;
+  std::tuple<unsigned, unsigned, unsigned> last_location_;
+};
+
+std::string path_of(const DILocation& location) { return location.getFilename().str(); }
+
+void BfinAsmPrinter::emitStartOfAsmFile(Module& module) {
+  write(".bir 1");
+  for (const Function& function : module)
+    for (const BasicBlock& block : function)
+      for (const Instruction& inst : block)
+        if (const DILocation* location = inst.getDebugLoc().get()) {
+          auto [entry, added] = files_.try_emplace(path_of(*location), files_.size() + 1);
+          if (added)
+            write(".file " + Twine(entry->second) + " \"" + entry->first + "\"");
+        }
+}
+
+void BfinAsmPrinter::write_name(const GlobalValue& global, const MCSymbol& symbol, StringRef type,
+                                Align align) {
+  if (global.hasWeakLinkage() || global.hasLinkOnceLinkage())
+    write(".weak " + symbol.getName());
+  else if (!global.hasLocalLinkage())
+    write(".global " + symbol.getName());
+  write(".type " + symbol.getName() + ", @" + type);
+  write(".align " + Twine(align.value()));
+}
+
+static StringRef section_of(const GlobalVariable& global) {
+  if (global.hasSection())
+    return global.getSection();
+  if (global.isConstant())
+    return ".rodata";
+  return global.getInitializer()->isNullValue() ? ".bss" : ".data";
+}
+
+void BfinAsmPrinter::emitGlobalVariable(const GlobalVariable* global) {
+  if (!global->hasInitializer() || global->hasAvailableExternallyLinkage() ||
+      global->getSection() == "llvm.metadata" || global->getName().starts_with("llvm."))
+    return;
+  const DataLayout& layout = getDataLayout();
+  MCSymbol* symbol = getSymbol(global);
+  OutStreamer->switchSection(
+      OutContext.getELFSection(section_of(*global), ELF::SHT_PROGBITS, ELF::SHF_ALLOC));
+  write_name(*global, *symbol, "object", getGVAlignment(global, layout));
+  OutStreamer->emitLabel(symbol);
+  uint64_t size = layout.getTypeAllocSize(global->getValueType());
+  if (size != 0)
+    emitGlobalConstant(layout, global->getInitializer());
+  write(".size " + symbol->getName() + ", " + Twine(size));
+}
+
+void BfinAsmPrinter::emitFunctionEntryLabel() {
+  last_location_ = {};
+  write_name(MF->getFunction(), *CurrentFnSym, "function", MF->getAlignment());
+  OutStreamer->emitLabel(CurrentFnSym);
+}
+
+void BfinAsmPrinter::emitFunctionBodyEnd() {
+  write(".size " + CurrentFnSym->getName() + ", .-" + CurrentFnSym->getName());
+}
+
+void BfinAsmPrinter::write_location(const MachineInstr& inst) {
+  const DILocation* location = inst.getDebugLoc().get();
+  if (location == nullptr || location->getLine() == 0)
+    return;
+  auto file = files_.find(path_of(*location));
+  if (file == files_.end())
+    return;
+  std::tuple place(file->second, location->getLine(), location->getColumn());
+  if (place == last_location_)
+    return;
+  last_location_ = place;
+  write("  .loc " + Twine(file->second) + " " + Twine(location->getLine()) + " " +
+        Twine(location->getColumn()));
+}
+
+MCOperand BfinAsmPrinter::lower_operand(const MachineOperand& operand) {
+  const MCSymbol* symbol = nullptr;
+  int64_t offset = 0;
+  switch (operand.getType()) {
+    case MachineOperand::MO_Register:
+      return MCOperand::createReg(operand.getReg());
+    case MachineOperand::MO_Immediate:
+      return MCOperand::createImm(operand.getImm());
+    case MachineOperand::MO_MachineBasicBlock:
+      symbol = operand.getMBB()->getSymbol();
+      break;
+    case MachineOperand::MO_GlobalAddress:
+      symbol = getSymbol(operand.getGlobal());
+      offset = operand.getOffset();
+      break;
+    case MachineOperand::MO_ExternalSymbol:
+      symbol = GetExternalSymbolSymbol(operand.getSymbolName());
+      break;
+    case MachineOperand::MO_MCSymbol:
+      symbol = operand.getMCSymbol();
+      break;
+    case MachineOperand::MO_ConstantPoolIndex:
+      symbol = GetCPISymbol(static_cast<unsigned>(operand.getIndex()));
+      break;
+    default:
+      report_fatal_error("an operand that BIR has no text for");
+  }
+  const MCExpr* value = MCSymbolRefExpr::create(symbol, OutContext);
+  if (offset != 0)
+    value = MCBinaryExpr::createAdd(value, MCConstantExpr::create(offset, OutContext), OutContext);
+  return MCOperand::createExpr(value);
+}
+
+MCInst BfinAsmPrinter::lower(const MachineInstr& inst) {
+  MCInst result;
+  result.setOpcode(inst.getOpcode());
+  for (const MachineOperand& operand : inst.operands())
+    if (!operand.isRegMask() && !(operand.isReg() && operand.isImplicit()))
+      result.addOperand(lower_operand(operand));
+  return result;
+}
+
+void BfinAsmPrinter::emitInstruction(const MachineInstr* inst) {
+  if (inst->getOpcode() == Bfin::ENDLOOP)
+    return;  // the loop's end is a label
+  SmallVector<MCInst, 3> packet;
+  if (!inst->isBundle()) {
+    write_location(*inst);
+    packet.push_back(lower(*inst));
+  } else {
+    auto it = std::next(inst->getIterator());
+    write_location(*it);
+    for (; it != inst->getParent()->instr_end() && it->isInsideBundle(); ++it)
+      packet.push_back(lower(*it));
+  }
+  bir().emitPacket(packet, getSubtargetInfo());
+}
+
+}  // namespace
+
+AsmPrinter* createBfinAsmPrinter(TargetMachine& machine, std::unique_ptr<BirStreamer> streamer) {
+  return new BfinAsmPrinter(machine, std::move(streamer));
+}
+
+}  // namespace llvm

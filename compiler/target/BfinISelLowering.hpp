@@ -1,0 +1,85 @@
+// Which nodes the machine has, and how the others become those.
+#pragma once
+
+#include <llvm/CodeGen/TargetLowering.h>
+
+namespace llvm {
+
+class BfinSubtarget;
+
+namespace BfinISD {
+enum NodeType : unsigned {
+  FIRST_NUMBER = ISD::BUILTIN_OP_END,
+  CALL,
+  RET,
+  RETI,
+  SYMBOL,
+  CMP,     ///< lhs, rhs, BfinCC -> glue carrying CC
+  BITTST,  ///< value, bit -> glue
+  JCC,     ///< chain, block, sense, glue
+  SELECT,  ///< then, otherwise, sense, glue
+  FROMCC,  ///< glue -> 0 or 1
+  NOTCC,
+  MULU16,    ///< low half x low half, unsigned
+  MULU16HL,  ///< high half x low half
+  MULU16HH,
+  CSYNC,
+  SSYNC,
+  IDLE,
+  NOP,
+  CLI,
+  STI,
+  RAISE,
+  EXCPT,
+  TESTSET,
+};
+}  // namespace BfinISD
+
+/// The comparisons that set CC; the numbers stand in BfinInstrInfo.td.
+enum BfinCC : unsigned { kEqual = 0, kLess = 1, kLessEqual = 2, kBelow = 3, kBelowEqual = 4 };
+
+class BfinTargetLowering : public TargetLowering {
+ public:
+  BfinTargetLowering(const TargetMachine& machine, const BfinSubtarget& subtarget);
+
+  const char* getTargetNodeName(unsigned opcode) const override;
+  SDValue LowerOperation(SDValue op, SelectionDAG& dag) const override;
+  EVT getSetCCResultType(const DataLayout&, LLVMContext&, EVT) const override { return MVT::i32; }
+  bool isOffsetFoldingLegal(const GlobalAddressSDNode*) const override { return false; }
+  bool isLegalAddressingMode(const DataLayout& layout, const AddrMode& mode, Type* type,
+                             unsigned address_space, Instruction* inst) const override;
+  bool isLegalICmpImmediate(int64_t value) const override { return isInt<3>(value); }
+  bool isLegalAddImmediate(int64_t value) const override { return isInt<7>(value); }
+  bool isTruncateFree(Type* from, Type* to) const override;
+  bool isZExtFree(SDValue value, EVT to) const override;
+  bool getPostIndexedAddressParts(SDNode* access, SDNode* step, SDValue& base, SDValue& offset,
+                                  ISD::MemIndexedMode& mode, SelectionDAG& dag) const override;
+  bool shouldConvertConstantLoadToIntImm(const APInt&, Type*) const override { return true; }
+
+ private:
+  SDValue LowerFormalArguments(SDValue chain, CallingConv::ID convention, bool variadic,
+                               const SmallVectorImpl<ISD::InputArg>& ins, const SDLoc& loc,
+                               SelectionDAG& dag, SmallVectorImpl<SDValue>& values) const override;
+  SDValue LowerCall(CallLoweringInfo& call, SmallVectorImpl<SDValue>& values) const override;
+  bool CanLowerReturn(CallingConv::ID convention, MachineFunction& function, bool variadic,
+                      const SmallVectorImpl<ISD::OutputArg>& outs,
+                      LLVMContext& context) const override;
+  SDValue LowerReturn(SDValue chain, CallingConv::ID convention, bool variadic,
+                      const SmallVectorImpl<ISD::OutputArg>& outs,
+                      const SmallVectorImpl<SDValue>& values, const SDLoc& loc,
+                      SelectionDAG& dag) const override;
+
+  SDValue lower_symbol(SDValue op, SelectionDAG& dag) const;
+  SDValue lower_branch(SDValue op, SelectionDAG& dag) const;
+  SDValue lower_select(SDValue op, SelectionDAG& dag) const;
+  SDValue lower_setcc(SDValue op, SelectionDAG& dag) const;
+  SDValue lower_wide_product(SDValue op, SelectionDAG& dag) const;
+  SDValue lower_va_start(SDValue op, SelectionDAG& dag) const;
+  SDValue lower_fence(SDValue op, SelectionDAG& dag) const;
+};
+
+/// One of finback/blackfin.h's functions, called: its node's results, or nothing if `name` is none.
+bool lowerBfinBuiltin(StringRef name, TargetLowering::CallLoweringInfo& call,
+                      SmallVectorImpl<SDValue>& values, SDValue& chain);
+
+}  // namespace llvm

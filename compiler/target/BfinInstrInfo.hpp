@@ -1,0 +1,59 @@
+// Instructions: copies, spills, branches, sizes, addresses.
+#pragma once
+
+#include <llvm/CodeGen/TargetInstrInfo.h>
+
+#include "BfinMCTargetDesc.hpp"
+#include "BfinRegisterInfo.hpp"
+
+#define GET_INSTRINFO_HEADER
+#include "BfinGenInstrInfo.inc"
+
+namespace llvm {
+
+class BfinInstrInfo : public BfinGenInstrInfo {
+ public:
+  BfinInstrInfo();
+
+  const BfinRegisterInfo& getRegisterInfo() const { return registers_; }
+
+  void copyPhysReg(MachineBasicBlock& block, MachineBasicBlock::iterator at, const DebugLoc& loc,
+                   MCRegister to, MCRegister from, bool kill) const override;
+  void storeRegToStackSlot(MachineBasicBlock& block, MachineBasicBlock::iterator at, Register reg,
+                           bool kill, int index, const TargetRegisterClass* rc,
+                           const TargetRegisterInfo* tri, Register) const override;
+  void loadRegFromStackSlot(MachineBasicBlock& block, MachineBasicBlock::iterator at, Register reg,
+                            int index, const TargetRegisterClass* rc,
+                            const TargetRegisterInfo* tri, Register) const override;
+  Register isLoadFromStackSlot(const MachineInstr& inst, int& index) const override;
+  Register isStoreToStackSlot(const MachineInstr& inst, int& index) const override;
+  bool expandPostRAPseudo(MachineInstr& inst) const override;
+
+  // Branches. The condition is one operand: the sense of CC, or two for a hardware loop's end.
+  bool analyzeBranch(MachineBasicBlock& block, MachineBasicBlock*& taken,
+                     MachineBasicBlock*& not_taken, SmallVectorImpl<MachineOperand>& condition,
+                     bool allow_modify) const override;
+  unsigned removeBranch(MachineBasicBlock& block, int* bytes) const override;
+  unsigned insertBranch(MachineBasicBlock& block, MachineBasicBlock* taken,
+                        MachineBasicBlock* not_taken, ArrayRef<MachineOperand> condition,
+                        const DebugLoc& loc, int* bytes) const override;
+  bool reverseBranchCondition(SmallVectorImpl<MachineOperand>& condition) const override;
+  bool isBranchOffsetInRange(unsigned opcode, int64_t offset) const override;
+  MachineBasicBlock* getBranchDestBlock(const MachineInstr& inst) const override;
+  /// Bytes; for jumps and calls, whose form the linker picks, the longer form.
+  unsigned getInstSizeInBytes(const MachineInstr& inst) const override;
+
+  /// Can a load or store of this opcode reach `offset` from its base?
+  bool isLegalDisplacement(unsigned opcode, int64_t offset) const;
+  /// to = base + offset, to being a P register other than base.
+  void buildAddress(MachineBasicBlock& block, MachineBasicBlock::iterator at, const DebugLoc& loc,
+                    Register to, Register base, int64_t offset) const;
+  /// to = value, by the shortest instructions.
+  void buildConstant(MachineBasicBlock& block, MachineBasicBlock::iterator at, const DebugLoc& loc,
+                     Register to, int64_t value) const;
+
+ private:
+  BfinRegisterInfo registers_;
+};
+
+}  // namespace llvm

@@ -1,0 +1,34 @@
+// What the back end remembers about one function.
+#pragma once
+
+#include <llvm/CodeGen/MachineFunction.h>
+#include <llvm/IR/Function.h>
+
+namespace llvm {
+
+/// The attribute that the driver puts on functions annotated "interrupt".
+inline constexpr const char* kInterruptAttribute = "bfin-interrupt";
+
+inline bool isInterruptHandler(const Function& function) {
+  return function.hasFnAttribute(kInterruptAttribute);
+}
+
+class BfinMachineFunctionInfo : public MachineFunctionInfo {
+ public:
+  BfinMachineFunctionInfo(const Function&, const TargetSubtargetInfo*) {}
+
+  MachineFunctionInfo* clone(BumpPtrAllocator& allocator, MachineFunction& destination,
+                             const DenseMap<MachineBasicBlock*, MachineBasicBlock*>&) const override {
+    (void)allocator;
+    return destination.cloneInfo<BfinMachineFunctionInfo>(*this);
+  }
+
+  /// Bytes that the multiple push takes.
+  unsigned saved_bytes = 0;
+  /// The home slot of the first argument that is not named, in a variadic function.
+  int varargs_index = 0;
+  /// The function uses LC0 or LC1.
+  bool has_hardware_loops = false;
+};
+
+}  // namespace llvm
