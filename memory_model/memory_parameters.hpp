@@ -16,7 +16,7 @@ struct MemoryParameters final : ParameterGroup {
       {"memory.l1.dma_overhead_sclk", "SCLK", 2, 0, 64, 'E', "hardware.md 3.2",
        "start of a DMA burst on a core's L1 port, before its first word"}};
   IntegerParameter l1_dma_word_sclk{this,
-                                    {"memory.l1.dma_word_sclk", "SCLK", 1, 0, 64, 'D',
+                                    {"memory.l1.dma_word_sclk", "SCLK", 1, 1, 64, 'D',
                                      "hardware.md 3.2", "one DMA word on a core's L1 port"}};
 
   // --- the store buffer between a core and L2, L3 ---
@@ -49,7 +49,7 @@ struct MemoryParameters final : ParameterGroup {
       {"memory.l2.dma_overhead_sclk", "SCLK", 2, 0, 64, 'E', "hardware.md 3.2",
        "start of a DMA burst on L2's DMA port, before its first word"}};
   IntegerParameter l2_dma_word_sclk{this,
-                                    {"memory.l2.dma_word_sclk", "SCLK", 1, 0, 64, 'V',
+                                    {"memory.l2.dma_word_sclk", "SCLK", 1, 1, 64, 'V',
                                      "hardware.md 2.3", "one DMA word on L2's 32-bit DMA port"}};
 
   // --- SDRAM and the external bus ---
@@ -71,7 +71,7 @@ struct MemoryParameters final : ParameterGroup {
   IntegerParameter sdram_core_read_overhead_sclk{
       this,
       {"memory.sdram.core_read_overhead_sclk", "SCLK", 5, 0, 64, 'D', "hardware.md 2.4",
-       "added to the CAS latency for a core's read (clock crossing): 5 + 3 = the measured 8 SCLK"}};
+       "added to CL for a core's read (clock crossing): 5 + 3 = the measured 8 SCLK"}};
   IntegerParameter sdram_core_read_hold_sclk{
       this,
       {"memory.sdram.core_read_hold_sclk", "SCLK", 4, 0, 64, 'E', "hardware.md 2.4",
@@ -82,7 +82,7 @@ struct MemoryParameters final : ParameterGroup {
        "one posted write of up to 32 bits to an open row on the bus"}};
   IntegerParameter sdram_beat_sclk{
       this,
-      {"memory.sdram.beat_sclk", "SCLK", 1, 0, 16, 'D', "hardware.md 2.4",
+      {"memory.sdram.beat_sclk", "SCLK", 1, 1, 16, 'D', "hardware.md 2.4",
        "one 32-bit word in a stream: DMA elements, second half of an instruction fetch"}};
   IntegerParameter sdram_dma_overhead_sclk{
       this,

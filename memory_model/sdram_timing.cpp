@@ -16,7 +16,8 @@ SdramTiming::SdramTiming(const MemoryParameters& parameters, const ClockParamete
   trp_ = cycles(parameters.sdram_trp_sclk);
   tras_ = cycles(parameters.sdram_tras_sclk);
   twr_ = cycles(parameters.sdram_twr_sclk);
-  core_read_ = cycles(parameters.sdram_core_read_overhead_sclk) + cl_;
+  // A read takes its issue cycle at least.
+  core_read_ = std::max<Cycles>(cycles(parameters.sdram_core_read_overhead_sclk) + cl_, 1);
   core_read_hold_ = std::min(cycles(parameters.sdram_core_read_hold_sclk), core_read_);
   write_ = cycles(parameters.sdram_write_sclk);
   beat_ = cycles(parameters.sdram_beat_sclk);

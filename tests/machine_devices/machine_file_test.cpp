@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sstream>
 
 #include <common/error.hpp>
 #include <common/file.hpp>
@@ -40,8 +41,15 @@ TEST(MachineFile, Bf561IsTheDefaultMachine) {
 }
 
 TEST(MachineFile, TheManualsPageOfParametersIsTheGeneratedOne) {
-  EXPECT_EQ(read_text_file(kSource / "docs" / "machine-parameters.md"), parameters_as_markdown())
-      << "write it anew: finback machine > docs/machine-parameters.md";
+  std::istringstream page(read_text_file(kSource / "docs" / "machine-parameters.md"));
+  std::istringstream generated(parameters_as_markdown());
+  std::string line;
+  std::string wanted;
+  while (std::getline(generated, wanted)) {
+    ASSERT_TRUE(std::getline(page, line)) << "the page ends before: " << wanted;
+    ASSERT_EQ(line, wanted) << "write it anew: finback machine > docs/machine-parameters.md";
+  }
+  EXPECT_FALSE(std::getline(page, line)) << line;
 }
 
 TEST(MachineFile, EveryParameterCanBeSetByFileAndByName) {

@@ -108,6 +108,22 @@ TEST_F(SdramTimingTest, CoresAndDmaSlowEachOther) {
   EXPECT_EQ(dma(Direction::read, kL3, 16, 1010), done + (4 + 20) * kSclk);
 }
 
+TEST_F(SdramTimingTest, WithEveryLatencyAtItsLeastNothingStalls) {
+  for (ParameterBase* parameter : parameters_.parameters()) {
+    const std::string_view name = parameter->declaration().name;
+    if (name.ends_with("_sclk") || name.ends_with("_cycles")) {
+      parameter->set(parameter->declaration().minimum);
+    }
+  }
+  build();
+  Cycles now = 0;
+  for (const Address address : {kL2, kL3, kL3 + kPage, kL3}) {
+    EXPECT_EQ(read(0, address, ++now), 0U);
+    EXPECT_EQ(write(1, address, ++now), 0U);
+  }
+  EXPECT_EQ(memory().fetch_line_cost(Level::l2), 0U);
+}
+
 TEST_F(SdramTimingTest, BankAndPageSizesMustFitTheRegion) {
   parameters_.sdram_page_bytes.set(3000);
   EXPECT_THROW(build(), InputError);
