@@ -107,10 +107,14 @@ void write_cores(Page& page, const RunResult& r) {
       [](const Core& c) { return fmt::format("{:.3f}", percent(c.instructions, c.cycles) / 100); });
   const std::size_t causes = r.cores.empty() ? 0 : r.cores.front().causes.size();
   for (std::size_t cause = 0; cause < causes; ++cause) {
-    row(r.cores.front().causes[cause].first, [&](const Core& c) {
-      const Cycles cycles = c.causes.at(cause).second;
-      return fmt::format("{} {:>5.1f} %", cycles, percent(cycles, c.cycles));
-    });
+    const bool seen = std::any_of(r.cores.begin(), r.cores.end(),
+                                  [&](const Core& c) { return c.causes.at(cause).second > 0; });
+    if (seen) {
+      row(r.cores.front().causes[cause].first, [&](const Core& c) {
+        const Cycles cycles = c.causes.at(cause).second;
+        return fmt::format("{} {:>5.1f} %", cycles, percent(cycles, c.cycles));
+      });
+    }
   }
 }
 

@@ -79,31 +79,32 @@ TEST_F(Errors, UnknownFirmware) {
 }
 
 TEST_F(Errors, PlacementThatNamesAnUnknownRegion) {
-  write("main.bir", kReturnsZero);
+  write("main.bir", program_text(kReturnsZero));
   write("placement.toml", "[core_a]\ndefault = [\"l1.data.c\"]\n");
   EXPECT_THAT(refused_in_a_line({"--firmware", "main.bir", "--placement", "placement.toml"}),
               AllOf(HasSubstr("placement.toml"), HasSubstr("l1.data.c")));
 }
 
 TEST_F(Errors, PlacementThatNamesAnUnknownObject) {
-  write("main.bir", kReturnsZero);
+  write("main.bir", program_text(kReturnsZero));
   write("placement.toml", "[core_a.objects]\n\"absent_buffer\" = \"l2\"\n");
   EXPECT_THAT(refused_in_a_line({"--firmware", "main.bir", "--placement", "placement.toml"}),
               AllOf(HasSubstr("placement.toml"), HasSubstr("absent_buffer")));
 }
 
 TEST_F(Errors, RegionThatOverflows) {
-  write("main.bir",
-        std::string(kReturnsZero) + ".bss\n.global _huge_buffer\n_huge_buffer:\n.space 40000\n");
+  write("main.bir", program_text(kReturnsZero,
+                                 ".bss\n.type _huge_buffer, @object\n_huge_buffer:\n"
+                                 "  .space 40000\n.size _huge_buffer, 40000\n"));
   write("placement.toml", "[core_a.objects]\n\"huge_buffer\" = \"l1.data.a\"\n");
   EXPECT_THAT(refused({"--firmware", "main.bir", "--placement", "placement.toml"}),
               AllOf(HasSubstr("l1.data.a"), HasSubstr("huge_buffer"), HasSubstr("40000")));
 }
 
 TEST_F(Errors, SyntaxErrorInBir) {
-  write("main.bir", ".bir 1\n.text\n.global _main\n_main:\n  R0 = = 1;\n  RTS;\n");
+  write("main.bir", program_text("  R0 = = 1;\n  RTS;\n"));
   EXPECT_THAT(refused_in_a_line({"--firmware", "main.bir"}),
-              ContainsRegex("main\\.bir:5:[0-9]+: "));
+              ContainsRegex("main\\.bir:6:[0-9]+: "));
 }
 
 TEST_F(Errors, UnknownKeyInAMachineFile) {
@@ -114,7 +115,7 @@ TEST_F(Errors, UnknownKeyInAMachineFile) {
 }
 
 TEST_F(Errors, OutputFolderThatIsAFile) {
-  write("main.bir", kReturnsZero);
+  write("main.bir", program_text(kReturnsZero));
   write("taken", "");
   const Finished finished = finback({"run", "--firmware", "main.bir", "--out", "taken"});
   EXPECT_EQ(finished.exit_code, 2);
@@ -123,7 +124,7 @@ TEST_F(Errors, OutputFolderThatIsAFile) {
 }
 
 TEST_F(Errors, OutputFolderThatCannotBeMade) {
-  write("main.bir", kReturnsZero);
+  write("main.bir", program_text(kReturnsZero));
   write("taken", "");
   const Finished finished = finback({"run", "--firmware", "main.bir", "--out", "taken/below"});
   EXPECT_EQ(finished.exit_code, 2);
@@ -132,20 +133,18 @@ TEST_F(Errors, OutputFolderThatCannotBeMade) {
 }
 
 TEST_F(Errors, GuestThatFaults) {
-  write("main.bir",
-        ".bir 1\n.text\n.global _main\n_main:\n  P0.L = 2;\n  P0.H = 0xFEB0;\n  R0 = [P0];\n  "
-        "RTS;\n");
+  write("main.bir", program_text("  P0.L = 2;\n  P0.H = 0xFEB0;\n  R0 = [P0];\n  RTS;\n"));
   EXPECT_THAT(refused_in_a_line({"--firmware", "main.bir"}),
               AllOf(HasSubstr("core_a"), HasSubstr("main"), HasSubstr("feb00002")));
 }
 
 TEST_F(Errors, GuestThatFails) {
-  write("main.bir", ".bir 1\n.text\n.global _main\n_main:\n  R0 = 3;\n  RTS;\n");
+  write("main.bir", program_text("  R0 = 3 (X);\n  RTS;\n"));
   EXPECT_THAT(refused_in_a_line({"--firmware", "main.bir"}), HasSubstr("status 3"));
 }
 
 TEST_F(Errors, GuestThatNeverEnds) {
-  write("main.bir", ".bir 1\n.text\n.global _main\n_main:\n.Lagain:\n  JUMP.S .Lagain;\n");
+  write("main.bir", program_text(kNeverEnds));
   EXPECT_THAT(refused_in_a_line({"--firmware", "main.bir", "--max-seconds", "0.001"}),
               AllOf(HasSubstr("does not end"), HasSubstr("--max-seconds")));
 }
@@ -168,7 +167,7 @@ TEST_F(Errors, OfUsage) {
 }
 
 TEST_F(Errors, InterruptLeavesNothing) {
-  write("main.bir", ".bir 1\n.text\n.global _main\n_main:\n.Lagain:\n  JUMP.S .Lagain;\n");
+  write("main.bir", program_text(kNeverEnds));
   constexpr int kWhileItRuns = 700;
   const Finished finished =
       finback({"run", "--firmware", "main.bir", "--max-seconds", "100000", "--out", "results"},
@@ -179,7 +178,7 @@ TEST_F(Errors, InterruptLeavesNothing) {
 }
 
 TEST_F(Errors, MissedTargetWithCheckIsThree) {
-  write("main.bir", kReturnsZero);
+  write("main.bir", program_text(kReturnsZero));
   const std::vector<std::string> run = {"run", "--firmware", "main.bir", "--out", "results"};
   EXPECT_EQ(finback(run).exit_code, 0);
   std::vector<std::string> checked = run;

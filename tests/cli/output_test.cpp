@@ -153,7 +153,7 @@ TEST_F(Output, OfOwnPicturesHasNoAccuracy) {
 }
 
 TEST_F(Output, OfABareProgramHasNoFrames) {
-  write("main.bir", kReturnsZero);
+  write("main.bir", program_text(kReturnsZero));
   const Finished finished = finback({"run", "--firmware", "main.bir", "--out", "o"});
   ASSERT_EQ(finished.exit_code, 0) << finished.err;
   const json r = result("o");
@@ -164,7 +164,7 @@ TEST_F(Output, OfABareProgramHasNoFrames) {
 }
 
 TEST_F(Output, HasNoTraceOfWhereItRan) {
-  write("main.bir", kReturnsZero);
+  write("main.bir", program_text(kReturnsZero));
   const Finished finished = finback({"run", "--firmware", "main.bir", "--out", "o"});
   ASSERT_EQ(finished.exit_code, 0) << finished.err;
   const std::string text = read_text_file(folder() / "o" / "result.json");
@@ -173,7 +173,7 @@ TEST_F(Output, HasNoTraceOfWhereItRan) {
 }
 
 TEST_F(Output, ReplacesThatOfAnEarlierRun) {
-  write("main.bir", kReturnsZero);
+  write("main.bir", program_text(kReturnsZero));
   const std::vector<std::string> run = {"run", "--firmware", "main.bir", "--out", "o"};
   ASSERT_EQ(finback(run).exit_code, 0);
   write("o/result.json", "old");

@@ -93,4 +93,17 @@ std::vector<std::string> ProgramTest::files() const {
   return names;
 }
 
+std::string program_text(std::string_view body, std::string_view objects) {
+  std::string text =
+      ".bir 1\n"
+      ".text\n"
+      ".global _main\n"
+      ".type _main, @function\n"
+      "_main:\n";
+  text += body;
+  text += ".size _main, .-_main\n";
+  text += objects;
+  return text;
+}
+
 }  // namespace finback::cli

@@ -38,13 +38,11 @@ class ProgramTest : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-// The smallest firmware: core A returns 0 from main.
-inline constexpr std::string_view kReturnsZero =
-    ".bir 1\n"
-    ".text\n"
-    ".global _main\n"
-    "_main:\n"
-    "  R0 = 0;\n"
-    "  RTS;\n";
+// A firmware of core A whose main has this body, and then these objects.
+[[nodiscard]] std::string program_text(std::string_view body, std::string_view objects = "");
+
+// Bodies: main returns 0; main never returns.
+inline constexpr std::string_view kReturnsZero = "  R0 = 0 (X);\n  RTS;\n";
+inline constexpr std::string_view kNeverEnds = ".Lagain:\n  JUMP .Lagain;\n";
 
 }  // namespace finback::cli
