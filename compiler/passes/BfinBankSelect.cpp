@@ -91,6 +91,7 @@ class BfinBankSelect : public MachineFunctionPass {
   void drop_copies(MachineFunction& function);
   void connect(MachineInstr& inst);
   void connect_copy(MachineInstr& copy);
+  void nudge(const MachineInstr& inst, Register def);
   void require(Register reg, Bank bank, int64_t cost);
   void use_at(Register reg, int user);
   Bank operand_bank(const MachineInstr& inst, unsigned index) const;
@@ -205,6 +206,15 @@ Bank BfinBankSelect::operand_bank(const MachineInstr& inst, unsigned index) cons
   }
 }
 
+/// Decides ties: scaled sums belong to addresses, where one instruction makes them; what is loaded
+/// is at hand at once only in a data register.
+void BfinBankSelect::nudge(const MachineInstr& inst, Register def) {
+  if (inst.getOpcode() == Bfin::ADD_X || inst.getOpcode() == Bfin::SHL_X)
+    cut_.add_edge(node(def), MinCut::kSink, 2);
+  else if (inst.mayLoad())
+    cut_.add_edge(MinCut::kSource, node(def), std::max<int64_t>(4, weight(*inst.getParent()) / 2));
+}
+
 void BfinBankSelect::connect(MachineInstr& inst) {
   if (inst.isCopy())
     return connect_copy(inst);
@@ -223,6 +233,7 @@ void BfinBankSelect::connect(MachineInstr& inst) {
       continue;
     Bank bank = operand_bank(inst, i);
     if (operand.isDef()) {
+      nudge(inst, operand.getReg());
       if (bank != Bank::kEither)
         require(operand.getReg(), bank, MinCut::kInfinite);
       if (joined)

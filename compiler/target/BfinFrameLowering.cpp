@@ -12,23 +12,29 @@
 namespace llvm {
 namespace {
 
-constexpr int kLinkBytes = 8;  // RETS and the old FP
+constexpr int kLinkBytes = 8;        // RETS and the old FP
+constexpr int64_t kMostLinked = 0x3fffc;  // LINK's immediate: a multiple of 4 in 16 bits
+constexpr uint64_t kMostWithoutLink = 120;  // locals that two steps of SP make cheaper than LINK
 
-/// The lowest register of each bank in a multiple push; 8 and 6 mean none.
+/// What the prologue pushes: R7:n and P5:m at once (8 and 6 mean none), a handler's scratch registers
+/// one by one.
 struct PushList {
   unsigned lowest_d = 8;
   unsigned lowest_p = 6;
-  unsigned bytes() const { return 4 * ((8 - lowest_d) + (6 - lowest_p)); }
+  SmallVector<MCPhysReg, 7> single;
+  bool multiple() const { return lowest_d < 8 || lowest_p < 6; }
 };
 
 PushList push_list(ArrayRef<CalleeSavedInfo> saved) {
   PushList list;
   for (const CalleeSavedInfo& info : saved) {
     unsigned reg = info.getReg();
-    if (Bfin::DRegClass.contains(reg))
+    if (reg >= Bfin::R4 && reg <= Bfin::R7)
       list.lowest_d = std::min(list.lowest_d, reg - Bfin::R0);
-    else
+    else if (reg >= Bfin::P3 && reg <= Bfin::P5)
       list.lowest_p = std::min(list.lowest_p, reg - Bfin::P0);
+    else
+      list.single.push_back(static_cast<MCPhysReg>(reg));
   }
   return list;
 }
@@ -58,15 +64,16 @@ unsigned saved_special_bytes(const MachineFunction& function) {
 BfinFrameLowering::BfinFrameLowering()
     : TargetFrameLowering(StackGrowsDown, Align(4), 0, Align(4), /*StackReal=*/false) {}
 
+/// Bytes of locals, spills and outgoing arguments, once PEI has laid the frame out.
+static uint64_t local_bytes(const MachineFunction& function) {
+  return function.getFrameInfo().getStackSize() -
+         function.getInfo<BfinMachineFunctionInfo>()->saved_bytes - kLinkBytes;
+}
+
 bool BfinFrameLowering::hasFP(const MachineFunction& function) const {
   const MachineFrameInfo& frame = function.getFrameInfo();
-  if (frame.hasCalls() || frame.hasVarSizedObjects() || frame.isFrameAddressTaken())
-    return true;
-  // Stack arguments lie at or above the incoming SP; what the prologue itself pushes lies below.
-  for (int index = frame.getObjectIndexBegin(); index != frame.getObjectIndexEnd(); ++index)
-    if (!frame.isDeadObjectIndex(index) && (index >= 0 || frame.getObjectOffset(index) >= 0))
-      return true;
-  return false;
+  return frame.hasCalls() || frame.hasVarSizedObjects() || frame.isFrameAddressTaken() ||
+         (frame.getStackSize() > kLinkBytes && local_bytes(function) > kMostWithoutLink);
 }
 
 bool BfinFrameLowering::hasReservedCallFrame(const MachineFunction& function) const {
@@ -83,10 +90,8 @@ void BfinFrameLowering::determineCalleeSaves(MachineFunction& function, BitVecto
       if (i < 3)
         saved.set(Bfin::P0 + i);
     }
-  if (handler && function.getInfo<BfinMachineFunctionInfo>()->has_hardware_loops)
-    saved.set(Bfin::R7);
   // A multiple push saves everything from its lowest register upwards.
-  for (auto [first, last] : {std::pair(Bfin::R0, Bfin::R7), std::pair(Bfin::P0, Bfin::P5)}) {
+  for (auto [first, last] : {std::pair(Bfin::R4, Bfin::R7), std::pair(Bfin::P3, Bfin::P5)}) {
     bool from_here = false;
     for (unsigned reg = first; reg <= last; ++reg) {
       from_here |= saved.test(reg);
@@ -120,19 +125,24 @@ bool BfinFrameLowering::spillCalleeSavedRegisters(MachineBasicBlock& block,
   MachineFunction& function = *block.getParent();
   const auto& tii = *function.getSubtarget<BfinSubtarget>().getInstrInfo();
   PushList list = push_list(saved);
-  if (list.bytes() == 0)
-    return true;
-  auto push = BuildMI(block, at, DebugLoc(), tii.get(Bfin::PUSHM))
-                  .addImm(list.lowest_d)
-                  .addImm(list.lowest_p)
-                  .setMIFlag(MachineInstr::FrameSetup);
   for (const CalleeSavedInfo& info : saved) {
-    bool live = function.getRegInfo().isLiveIn(info.getReg());
     auto reg = static_cast<MCPhysReg>(info.getReg().id());
     if (!block.isLiveIn(reg))
       block.addLiveIn(reg);
-    push.addReg(info.getReg(), RegState::Implicit | getKillRegState(!live));
   }
+  if (list.multiple()) {
+    auto push = BuildMI(block, at, DebugLoc(), tii.get(Bfin::PUSHM))
+                    .addImm(list.lowest_d)
+                    .addImm(list.lowest_p)
+                    .setMIFlag(MachineInstr::FrameSetup);
+    for (const CalleeSavedInfo& info : saved)
+      if (!is_contained(list.single, info.getReg()))
+        push.addReg(info.getReg(), RegState::ImplicitKill);
+  }
+  for (MCPhysReg reg : list.single)
+    BuildMI(block, at, DebugLoc(), tii.get(Bfin::PUSH))
+        .addReg(reg, RegState::Kill)
+        .setMIFlag(MachineInstr::FrameSetup);
   return true;
 }
 
@@ -142,60 +152,78 @@ bool BfinFrameLowering::restoreCalleeSavedRegisters(MachineBasicBlock& block,
                                                     const TargetRegisterInfo*) const {
   const auto& tii = *block.getParent()->getSubtarget<BfinSubtarget>().getInstrInfo();
   PushList list = push_list(saved);
-  if (list.bytes() == 0)
+  for (MCPhysReg reg : reverse(list.single))
+    BuildMI(block, at, DebugLoc(), tii.get(Bfin::POP), reg).setMIFlag(MachineInstr::FrameDestroy);
+  if (!list.multiple())
     return true;
   auto pop = BuildMI(block, at, DebugLoc(), tii.get(Bfin::POPM))
                  .addImm(list.lowest_d)
                  .addImm(list.lowest_p)
                  .setMIFlag(MachineInstr::FrameDestroy);
   for (const CalleeSavedInfo& info : saved)
-    pop.addReg(info.getReg(), RegState::ImplicitDefine);
+    if (!is_contained(list.single, info.getReg()))
+      pop.addReg(info.getReg(), RegState::ImplicitDefine);
   return true;
+}
+
+/// SP += bytes, in steps of the seven-bit immediate.
+static void step_stack(MachineBasicBlock& block, MachineBasicBlock::iterator at, const DebugLoc& loc,
+                       const BfinInstrInfo& tii, int64_t bytes, MachineInstr::MIFlag flag) {
+  while (bytes != 0) {
+    int64_t step = std::clamp<int64_t>(bytes, -64, 60);
+    BuildMI(block, at, loc, tii.get(Bfin::ADDI), Bfin::SP)
+        .addReg(Bfin::SP)
+        .addImm(step)
+        .setMIFlag(flag);
+    bytes -= step;
+  }
+}
+
+/// What is interrupted may use circular buffers; what a handler calls expects none.
+static void clear_lengths(MachineBasicBlock& block, MachineBasicBlock::iterator at,
+                          const BfinInstrInfo& tii) {
+  BuildMI(block, at, DebugLoc(), tii.get(Bfin::MOVI), Bfin::R3).addImm(0);
+  for (MCPhysReg reg : {Bfin::L0, Bfin::L1, Bfin::L2, Bfin::L3})
+    BuildMI(block, at, DebugLoc(), tii.get(Bfin::MOV), reg).addReg(Bfin::R3);
 }
 
 void BfinFrameLowering::emitPrologue(MachineFunction& function, MachineBasicBlock& block) const {
   const auto& tii = *function.getSubtarget<BfinSubtarget>().getInstrInfo();
   auto at = block.begin();
-  while (at != block.end() && at->getOpcode() == Bfin::PUSHM)
+  while (at != block.end() && at->getFlag(MachineInstr::FrameSetup))
     ++at;
-  auto push = [&](MCPhysReg reg) {
-    BuildMI(block, at, DebugLoc(), tii.get(Bfin::PUSH))
-        .addReg(reg, RegState::Undef)
-        .setMIFlag(MachineInstr::FrameSetup);
-  };
   if (isInterruptHandler(function.getFunction())) {
-    auto regs = interrupt_registers(function);
-    for (MCPhysReg reg : regs)
-      push(reg);
-    // What is interrupted may have a loop on its last instruction, or a circular buffer.
-    if (regs.size() > 1 && function.getFrameInfo().hasCalls()) {
-      BuildMI(block, at, DebugLoc(), tii.get(Bfin::MOVI), Bfin::R3).addImm(0);
-      for (MCPhysReg reg : {Bfin::L0, Bfin::L1, Bfin::L2, Bfin::L3})
-        BuildMI(block, at, DebugLoc(), tii.get(Bfin::MOV), reg).addReg(Bfin::R3);
-    }
+    for (MCPhysReg reg : interrupt_registers(function))
+      BuildMI(block, at, DebugLoc(), tii.get(Bfin::PUSH))
+          .addReg(reg, RegState::Undef)
+          .setMIFlag(MachineInstr::FrameSetup);
+    if (function.getFrameInfo().hasCalls())
+      clear_lengths(block, at, tii);
   }
-  if (!hasFP(function))
+  auto locals = static_cast<int64_t>(local_bytes(function));
+  if (!hasFP(function)) {
+    step_stack(block, at, DebugLoc(), tii, -locals, MachineInstr::FrameSetup);
     return;
-  const MachineFrameInfo& frame = function.getFrameInfo();
-  uint64_t locals = frame.getStackSize() - function.getInfo<BfinMachineFunctionInfo>()->saved_bytes -
-                    kLinkBytes;
-  uint64_t linked = std::min<uint64_t>(locals, 0x3fffc);
+  }
+  if (locals > kMostLinked)
+    report_fatal_error("the stack frame of " + function.getName() + " takes " + Twine(locals) +
+                       " bytes; LINK makes at most " + Twine(kMostLinked));
   BuildMI(block, at, DebugLoc(), tii.get(Bfin::LINK))
-      .addImm(static_cast<int64_t>(linked))
+      .addImm(locals)
       .setMIFlag(MachineInstr::FrameSetup);
-  if (locals > linked)
-    report_fatal_error(Twine("stack frame of ") + Twine(locals) + " bytes in function '" +
-                       function.getName() + "' is larger than LINK can make (262140)");
 }
 
 void BfinFrameLowering::emitEpilogue(MachineFunction& function, MachineBasicBlock& block) const {
   const auto& tii = *function.getSubtarget<BfinSubtarget>().getInstrInfo();
   auto at = block.getFirstTerminator();
-  while (at != block.begin() && std::prev(at)->getOpcode() == Bfin::POPM)
+  while (at != block.begin() && std::prev(at)->getFlag(MachineInstr::FrameDestroy))
     --at;
   DebugLoc loc = at == block.end() ? DebugLoc() : at->getDebugLoc();
   if (hasFP(function))
     BuildMI(block, at, loc, tii.get(Bfin::UNLINK)).setMIFlag(MachineInstr::FrameDestroy);
+  else
+    step_stack(block, at, loc, tii, static_cast<int64_t>(local_bytes(function)),
+               MachineInstr::FrameDestroy);
   if (isInterruptHandler(function.getFunction()))
     for (MCPhysReg reg : reverse(interrupt_registers(function)))
       BuildMI(block, at, loc, tii.get(Bfin::POP), reg).setMIFlag(MachineInstr::FrameDestroy);
@@ -203,10 +231,17 @@ void BfinFrameLowering::emitEpilogue(MachineFunction& function, MachineBasicBloc
 
 StackOffset BfinFrameLowering::getFrameIndexReference(const MachineFunction& function, int index,
                                                       Register& base) const {
-  const MachineFrameInfo& frame = function.getFrameInfo();
-  base = Bfin::FP;
-  return StackOffset::getFixed(frame.getObjectOffset(index) + kLinkBytes +
-                               function.getInfo<BfinMachineFunctionInfo>()->saved_bytes);
+  int64_t offset = function.getFrameInfo().getObjectOffset(index) +
+                   function.getInfo<BfinMachineFunctionInfo>()->saved_bytes;
+  if (hasFP(function)) {
+    base = Bfin::FP;
+    return StackOffset::getFixed(offset + kLinkBytes);
+  }
+  // Without LINK its two words are not there: the locals lie higher by as much.
+  base = Bfin::SP;
+  bool argument = function.getFrameInfo().getObjectOffset(index) >= 0;
+  return StackOffset::getFixed(offset + static_cast<int64_t>(local_bytes(function)) +
+                               (argument ? 0 : kLinkBytes));
 }
 
 MachineBasicBlock::iterator BfinFrameLowering::eliminateCallFramePseudoInstr(
@@ -216,14 +251,7 @@ MachineBasicBlock::iterator BfinFrameLowering::eliminateCallFramePseudoInstr(
     int64_t bytes = at->getOperand(0).getImm();
     if (at->getOpcode() == Bfin::ADJCALLSTACKDOWN)
       bytes = -bytes;
-    // Steps of the seven-bit immediate: outgoing areas are small.
-    while (bytes != 0) {
-      int64_t step = std::clamp<int64_t>(bytes, -64, 60);
-      BuildMI(block, at, at->getDebugLoc(), tii.get(Bfin::ADDI), Bfin::SP)
-          .addReg(Bfin::SP)
-          .addImm(step);
-      bytes -= step;
-    }
+    step_stack(block, at, at->getDebugLoc(), tii, bytes, MachineInstr::NoFlags);
   }
   return block.erase(at);
 }
