@@ -1,0 +1,82 @@
+// The firmware's disparity map, computed by compiled C on two simulated cores, is the reference's
+// in every pixel.
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "firmware_run.hpp"
+
+namespace finback {
+namespace {
+
+namespace fs = std::filesystem;
+
+void expect_reference_map(const scenes::Scene& scene) {
+  const cli::RunOutcome outcome = cli::run_firmware(mesvs2_inputs(scene));
+  ASSERT_EQ(outcome.maps.size(), 1U);
+  const machine::PublishedMap& map = outcome.maps[0];
+  EXPECT_EQ(map.width, 160U);
+  EXPECT_EQ(map.height, 120U);
+  const std::vector<std::uint8_t> expected = reference_map(scene);
+  ASSERT_EQ(map.bytes.size(), expected.size());
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    different += map.bytes[i] != expected[i];
+  }
+  EXPECT_EQ(different, 0U) << "of " << expected.size() << " pixels";
+}
+
+TEST(FirmwareMap, EqualsReferenceOnNamedScenes) {
+  for (const std::string& name : scenes::scene_names()) {
+    SCOPED_TRACE(name);
+    expect_reference_map(scenes::load_scene(name, share_folder() / "scenes"));
+  }
+}
+
+TEST(FirmwareMap, EqualsReferenceOnEveryFrameOfAPipelinedRun) {
+  const scenes::Scene scene = scenes::make_synthetic_scene(7);
+  const cli::RunOutcome outcome = cli::run_firmware(mesvs2_inputs(scene, 5));
+  ASSERT_EQ(outcome.maps.size(), 5U);
+  const std::vector<std::uint8_t> expected = reference_map(scene);
+  for (std::uint32_t frame = 0; frame < 5; ++frame) {
+    EXPECT_EQ(outcome.maps[frame].frame_number, frame);
+    EXPECT_EQ(outcome.maps[frame].bytes, expected) << "frame " << frame;
+  }
+}
+
+struct DataSet {
+  const char* folder;  // below middlebury/
+  const char* left;
+  const char* right;
+  std::size_t scenes;
+};
+class Middlebury : public testing::TestWithParam<DataSet> {};
+
+TEST_P(Middlebury, EqualsReferenceOnEveryPair) {
+  const char* chosen = std::getenv("FINBACK_SHARED_DATA");
+  const fs::path folder = fs::path(chosen != nullptr ? chosen : FINBACK_DEFAULT_DATA) /
+                          "middlebury" / GetParam().folder;
+  if (!fs::exists(folder)) {
+    GTEST_SKIP() << folder << " is not there; set FINBACK_SHARED_DATA to a data folder";
+  }
+  std::size_t count = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_directory()) {
+      SCOPED_TRACE(entry.path().string());
+      expect_reference_map(
+          scenes::load_scene_pair(entry.path() / GetParam().left, entry.path() / GetParam().right));
+      ++count;
+    }
+  }
+  EXPECT_EQ(count, GetParam().scenes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Years, Middlebury,
+                         testing::Values(DataSet{"2001", "im2.png", "im6.png", 7},
+                                         DataSet{"2003", "im2.png", "im6.png", 2},
+                                         DataSet{"2006", "view1.png", "view5.png", 21}),
+                         [](const auto& year) { return std::string(year.param.folder); });
+
+}  // namespace
+}  // namespace finback

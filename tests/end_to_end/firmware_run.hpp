@@ -1,0 +1,30 @@
+// Runs the shipped firmware on the simulated machine, for tests.
+#pragma once
+
+#include <functional>
+#include <utility>
+
+#include <cli/run_firmware.hpp>
+#include <common/file.hpp>
+#include <scenes/scene.hpp>
+#include <stereo_reference/matching.hpp>
+
+namespace finback {
+
+[[nodiscard]] inline cli::RunInputs mesvs2_inputs(scenes::Scene scene, std::uint32_t frames = 1) {
+  cli::RunInputs inputs;
+  inputs.firmware = cli::find_firmware("mesvs2", {});
+  inputs.machine = std::make_unique<machine::MachineDescription>();
+  inputs.scene = std::move(scene);
+  inputs.frames = frames;
+  return inputs;
+}
+
+// What the firmware must compute for `scene`.
+[[nodiscard]] inline std::vector<std::uint8_t> reference_map(const scenes::Scene& scene) {
+  return stereo_reference::disparity_map(stereo_reference::subsample_by_4(scene.left),
+                                         stereo_reference::subsample_by_4(scene.right), {})
+      .pixels();
+}
+
+}  // namespace finback

@@ -1,0 +1,79 @@
+// Function and timing are apart: placements and latencies change cycles and traffic, never a map.
+#include <gtest/gtest.h>
+
+#include "firmware_run.hpp"
+
+namespace finback {
+namespace {
+
+Bytes level_bytes(const report::RunResult& result, const std::string& level,
+                  const std::string& initiator) {
+  const auto read = result.counters.find("traffic." + level + "." + initiator + ".read.bytes");
+  const auto write = result.counters.find("traffic." + level + "." + initiator + ".write.bytes");
+  return read->second + write->second;
+}
+Cycles core_cycles(const report::RunResult& result) {
+  return result.counters.at("core_b.cycles");
+}
+
+TEST(Placement, MovingABufferChangesCyclesAndTrafficButNoMap) {
+  const cli::RunOutcome before = cli::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene()));
+  cli::RunInputs inputs = mesvs2_inputs(scenes::make_synthetic_scene());
+  inputs.firmware.firmware.placement.override_object(ir::Owner::core_b, "left_keys", "l3");
+  const cli::RunOutcome after = cli::run_firmware(inputs);
+
+  EXPECT_EQ(before.maps[0].bytes, after.maps[0].bytes);
+  EXPECT_GT(core_cycles(after.result), core_cycles(before.result));
+  EXPECT_EQ(level_bytes(before.result, "l3", "core_b"), 0U);
+  const Bytes moved = level_bytes(after.result, "l3", "core_b");
+  EXPECT_GT(moved, 0U);
+  EXPECT_EQ(level_bytes(before.result, "l1", "core_b") - level_bytes(after.result, "l1", "core_b"),
+            moved);
+}
+
+// Every latency and cost at the least that its parameter allows.
+TEST(Timing, FastestMachineComputesTheSameMaps) {
+  const scenes::Scene scene = scenes::make_synthetic_scene();
+  const cli::RunOutcome usual = cli::run_firmware(mesvs2_inputs(scene, 3));
+  cli::RunInputs inputs = mesvs2_inputs(scene, 3);
+  for (ParameterBase* parameter : inputs.machine->parameters()) {
+    const std::string_view unit = parameter->declaration().unit;
+    if ((unit == "CCLK" || unit == "SCLK") &&
+        parameter->declaration().name.find("refresh") == std::string_view::npos) {
+      parameter->set(parameter->declaration().minimum);
+    }
+  }
+  const cli::RunOutcome fastest = cli::run_firmware(inputs);
+  ASSERT_EQ(fastest.maps.size(), usual.maps.size());
+  for (std::size_t frame = 0; frame < usual.maps.size(); ++frame) {
+    EXPECT_EQ(fastest.maps[frame].bytes, usual.maps[frame].bytes) << "frame " << frame;
+  }
+  EXPECT_LT(core_cycles(fastest.result), core_cycles(usual.result));
+}
+
+// A slow machine, too: late DMA and late signals reorder nothing.
+TEST(Timing, SlowMachineComputesTheSameMaps) {
+  const scenes::Scene scene = scenes::make_synthetic_scene();
+  const cli::RunOutcome usual = cli::run_firmware(mesvs2_inputs(scene, 3));
+  cli::RunInputs inputs = mesvs2_inputs(scene, 3);
+  inputs.machine->set("events.intercore_latency_cycles", 5000);
+  inputs.machine->set("events.peripheral_latency_sclk", 500);
+  const cli::RunOutcome slow = cli::run_firmware(inputs);
+  ASSERT_EQ(slow.maps.size(), usual.maps.size());
+  for (std::size_t frame = 0; frame < usual.maps.size(); ++frame) {
+    EXPECT_EQ(slow.maps[frame].bytes, usual.maps[frame].bytes) << "frame " << frame;
+  }
+  EXPECT_GT(core_cycles(slow.result), core_cycles(usual.result));
+}
+
+TEST(Determinism, TwoRunsCountTheSame) {
+  const cli::RunOutcome one = cli::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene(), 2));
+  const cli::RunOutcome two = cli::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene(), 2));
+  ASSERT_EQ(one.result.counters.size(), two.result.counters.size());
+  for (const auto& [name, value] : one.result.counters) {
+    EXPECT_EQ(value, two.result.counters.at(name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace finback
