@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include <isa_sim/core/block_builder.hpp>
-#include <isa_sim/isa/syntax.hpp>
+#include <isa_sim/core/placed.hpp>
 
 namespace finback::core {
 
@@ -16,10 +16,6 @@ namespace {
 // kept waiting.
 constexpr std::uint32_t kMaxPackets = 64;
 constexpr Address kFetchBytes = 8;  // hardware.md 1.1: 64 bits from 8-byte boundaries
-
-const Instruction& info_of(const ir::PlacedInstruction& instruction) {
-  return isa::instruction_table()[static_cast<std::size_t>(instruction.instruction)];
-}
 
 bool is_nop(const Instruction& info) {
   return info.energy == isa::Energy::nop &&
@@ -45,14 +41,11 @@ int order_in_packet(const Instruction& info) {
 }
 
 bool writes_register(const ir::PlacedInstruction& instruction, int reg) {
-  const isa::OperandRoles& roles = isa::roles_of(instruction.instruction);
-  for (int i = 0; i < roles.count; ++i) {
-    if (roles[i].written && isa::is_register(roles[i].kind) &&
-        isa::register_of(instruction.operand[static_cast<std::size_t>(i)]) == reg) {
-      return true;
-    }
-  }
-  return false;
+  bool writes = false;
+  for_each_operand(instruction, [&](const isa::OperandRole& role, std::int32_t value) {
+    for_each_register(role, value, [&](int other) { writes |= role.written && other == reg; });
+  });
+  return writes;
 }
 
 // Index of the operand that a store takes its value from: its last.
@@ -261,20 +254,10 @@ void BlockBuilder::add_conflict_check(Draft& draft, const ir::PlacedPacket& pack
   check.address = packet.address;
   std::size_t filled = 0;
   for (std::size_t slot = 0; slot < packet.count; ++slot) {
-    const ir::PlacedInstruction& instruction = packet.slots[slot];
-    if (info_of(instruction).memory == MemoryUse::none) {
-      continue;
-    }
-    const isa::OperandRoles& roles = isa::roles_of(instruction.instruction);
-    for (int i = 0; i < roles.count; ++i) {
-      if (roles[i].address_stage) {
-        check.operand[filled] = instruction.operand[static_cast<std::size_t>(i)];
-        const bool offset = i + 1 < roles.count && !isa::is_register(roles[i + 1].kind);
-        check.operand[filled + 1] =
-            offset ? instruction.operand[static_cast<std::size_t>(i + 1)] : 0;
-        filled += 2;
-        break;
-      }
+    if (const auto access = access_address(packet.slots[slot])) {
+      check.operand[filled] = access->base;
+      check.operand[filled + 1] = access->offset;
+      filled += 2;
     }
   }
   if (filled == 4) {
@@ -283,8 +266,8 @@ void BlockBuilder::add_conflict_check(Draft& draft, const ir::PlacedPacket& pack
 }
 
 void BlockBuilder::set_exit(Block& block, const ir::PlacedPacket& last) const {
-  const auto taken = static_cast<Cycles>(std::int64_t{parameters_.branch_taken}) - 1;
-  const auto mispredicted = static_cast<Cycles>(std::int64_t{parameters_.branch_mispredicted}) - 1;
+  const Cycles taken = cycles_of(parameters_.branch_taken) - 1;
+  const Cycles mispredicted = cycles_of(parameters_.branch_mispredicted) - 1;
   switch (flow_of(last)) {
     case Flow::none:
     case Flow::loop_setup:

@@ -3,6 +3,7 @@
 
 #include <common/error.hpp>
 #include <isa_sim/core/core.hpp>
+#include <isa_sim/core/placed.hpp>
 
 namespace finback::core {
 
@@ -11,10 +12,6 @@ using isa::Operation;
 using isa::SystemAction;
 
 namespace {
-
-Cycles cycles_of(const IntegerParameter& parameter) {
-  return static_cast<Cycles>(std::int64_t{parameter});
-}
 
 constexpr int kExceptionEvent = 3;
 
@@ -248,12 +245,12 @@ Block* Core::block_at(Address address, std::uint32_t state) {
 // Loop 1 is looked at first, so that the inner of two loops with one bottom is loop 1
 // (hardware.md 1.4).
 bool Core::loop_back(const Block& block) {
-  for (const int loop : {1, 0}) {
-    std::uint32_t& count = state_.reg[static_cast<std::size_t>(isa::LC0 + loop)];
-    if (count != 0 &&
-        state_.reg[static_cast<std::size_t>(isa::LB0 + loop)] == block.last_packet_address &&
-        --count != 0) {
-      state_.next_address = state_.reg[static_cast<std::size_t>(isa::LT0 + loop)];
+  constexpr std::size_t kLoops = 2;
+  auto& reg = state_.reg;
+  for (std::size_t loop = kLoops; loop-- > 0;) {
+    if (reg[isa::LC0 + loop] != 0 && reg[isa::LB0 + loop] == block.last_packet_address &&
+        --reg[isa::LC0 + loop] != 0) {
+      state_.next_address = reg[isa::LT0 + loop];
       return true;
     }
   }

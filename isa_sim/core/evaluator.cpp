@@ -5,40 +5,12 @@
 #include <isa_sim/core/block_builder.hpp>
 #include <isa_sim/core/evaluator.hpp>
 #include <isa_sim/core/pipeline.hpp>
-#include <isa_sim/isa/syntax.hpp>
+#include <isa_sim/core/placed.hpp>
 
 namespace finback::core {
 
 using isa::ExecutionState;
 using isa::Operation;
-
-namespace {
-
-const isa::Instruction& info_of(const ir::PlacedInstruction& instruction) {
-  return isa::instruction_table()[static_cast<std::size_t>(instruction.instruction)];
-}
-Cycles cycles_of(const IntegerParameter& parameter) {
-  return static_cast<Cycles>(std::int64_t{parameter});
-}
-
-// The registers that operand `index` of `instruction` stands for.
-std::vector<int> registers_of(const ir::PlacedInstruction& instruction, int index) {
-  const isa::OperandRole& role = isa::roles_of(instruction.instruction)[index];
-  const std::int32_t value = instruction.operand[static_cast<std::size_t>(index)];
-  std::vector<int> registers;
-  if (role.kind == isa::OperandKind::data_list || role.kind == isa::OperandKind::pointer_list) {
-    const int end = role.kind == isa::OperandKind::data_list ? isa::R7 : isa::P5;
-    for (int reg = (role.kind == isa::OperandKind::data_list ? isa::R0 : isa::P0) + value;
-         reg <= end; ++reg) {
-      registers.push_back(reg);
-    }
-  } else if (isa::is_register(role.kind)) {
-    registers.push_back(isa::register_of(value));
-  }
-  return registers;
-}
-
-}  // namespace
 
 struct Evaluator::Hooks {
   static Evaluator& self(ExecutionState& state) { return *static_cast<Evaluator*>(state.engine); }
@@ -188,16 +160,15 @@ void Evaluator::merge(const ExecutionState& before, const ExecutionState& after)
 void Evaluator::stall_for_operands(const ir::PlacedInstruction& instruction,
                                    Cycles& issue_at) const {
   const isa::Instruction& info = info_of(instruction);
-  const isa::OperandRoles& roles = isa::roles_of(instruction.instruction);
-  for (int i = 0; i < roles.count; ++i) {
-    for (const int reg : roles[i].read ? registers_of(instruction, i) : std::vector<int>{}) {
-      if (roles[i].address_stage) {
+  for_each_operand(instruction, [&](const isa::OperandRole& role, std::int32_t value) {
+    for_each_register(role, value, [&](int reg) {
+      if (role.read && role.address_stage) {
         issue_at = std::max(issue_at, address_ready_[static_cast<std::size_t>(reg)]);
-      } else if (info.needs == isa::Needs::ex1) {
+      } else if (role.read && info.needs == isa::Needs::ex1) {
         issue_at = std::max(issue_at, ex1_ready_[static_cast<std::size_t>(reg)]);
       }
-    }
-  }
+    });
+  });
   if ((info.implicit & isa::kReadsSp) != 0) {
     issue_at = std::max(issue_at, address_ready_[isa::SP]);
   }
@@ -208,15 +179,7 @@ void Evaluator::stall_for_operands(const ir::PlacedInstruction& instruction,
 
 void Evaluator::note_results(const ir::PlacedInstruction& instruction, Cycles done) {
   const isa::Instruction& info = info_of(instruction);
-  const isa::OperandRoles& roles = isa::roles_of(instruction.instruction);
-  bool from_address_register = false;
-  for (int i = 0; i < roles.count; ++i) {
-    if (roles[i].read && !roles[i].written) {
-      for (const int reg : registers_of(instruction, i)) {
-        from_address_register |= isa::is_address_register(reg);
-      }
-    }
-  }
+  const bool from_address_register = reads_address_register(instruction);
   const auto ready = [&](int reg, bool stepped) {
     const bool data = isa::is_data_register(reg);
     Cycles& address_ready = address_ready_[static_cast<std::size_t>(reg)];
@@ -231,11 +194,13 @@ void Evaluator::note_results(const ir::PlacedInstruction& instruction, Cycles do
       address_ready += cycles_of(parameters_.move_to_address);
     }
   };
-  for (int i = 0; i < roles.count; ++i) {
-    for (const int reg : roles[i].written ? registers_of(instruction, i) : std::vector<int>{}) {
-      ready(reg, roles[i].address_stage);
-    }
-  }
+  for_each_operand(instruction, [&](const isa::OperandRole& role, std::int32_t value) {
+    for_each_register(role, value, [&](int reg) {
+      if (role.written) {
+        ready(reg, role.address_stage);
+      }
+    });
+  });
   if ((info.implicit & isa::kWritesSp) != 0) {
     ready(isa::SP, true);
   }
@@ -246,22 +211,10 @@ void Evaluator::note_results(const ir::PlacedInstruction& instruction, Cycles do
 
 void Evaluator::charge_sub_bank(const ir::PlacedPacket& packet, Cycles& end) {
   std::vector<Address> accesses;
-  for (std::size_t slot = 0; slot < packet.count; ++slot) {
-    const ir::PlacedInstruction& instruction = packet.slots[slot];
-    if (packet.count == 1 || info_of(instruction).memory == isa::MemoryUse::none) {
-      continue;
-    }
-    const isa::OperandRoles& roles = isa::roles_of(instruction.instruction);
-    for (int i = 0; i < roles.count; ++i) {
-      if (roles[i].address_stage) {
-        Address address =
-            state_.reg[static_cast<std::size_t>(instruction.operand[static_cast<std::size_t>(i)])];
-        if (i + 1 < roles.count && !isa::is_register(roles[i + 1].kind)) {
-          address += static_cast<Address>(instruction.operand[static_cast<std::size_t>(i + 1)]);
-        }
-        accesses.push_back(address);
-        break;
-      }
+  for (std::size_t slot = 0; packet.count > 1 && slot < packet.count; ++slot) {
+    if (const auto access = access_address(packet.slots[slot])) {
+      accesses.push_back(state_.reg[static_cast<std::size_t>(access->base)] +
+                         static_cast<Address>(access->offset));
     }
   }
   const Address bank = static_cast<Address>(std::int64_t{parameters_.sub_bank_bytes});

@@ -1,53 +1,23 @@
 #include <algorithm>
 
 #include <isa_sim/core/pipeline.hpp>
-#include <isa_sim/isa/syntax.hpp>
+#include <isa_sim/core/placed.hpp>
 
 namespace finback::core {
 
 using isa::OperandKind;
 using isa::OperandRole;
-using isa::register_of;
 
 namespace {
 
-const isa::Instruction& info_of(const ir::PlacedInstruction& instruction) {
-  return isa::instruction_table()[static_cast<std::size_t>(instruction.instruction)];
-}
-
-// Calls `visit` with each register that an operand stands for (a list stands for several).
-template <class Visit>
-void for_each_register(OperandKind kind, std::int32_t value, const Visit& visit) {
-  switch (kind) {
-    case OperandKind::data_list:
-      for (int reg = isa::R0 + value; reg <= isa::R7; ++reg) {
-        visit(reg);
-      }
-      break;
-    case OperandKind::pointer_list:
-      for (int reg = isa::P0 + value; reg <= isa::P5; ++reg) {
-        visit(reg);
-      }
-      break;
-    case OperandKind::data_pair:
-      visit(value);
-      visit(value + 1);
-      break;
-    default:
-      visit(register_of(value));
-  }
-}
-
 // A move or pop into LC, LT or LB refills the pipeline; LSETUP does not.
 bool writes_loop_register(const ir::PlacedInstruction& instruction) {
-  int index = 0;
-  for (const OperandRole& role : isa::roles_of(instruction.instruction)) {
-    const std::int32_t value = instruction.operand[static_cast<std::size_t>(index++)];
-    if (role.kind == OperandKind::any && role.written && value >= isa::LC0 && value <= isa::LB1) {
-      return true;
-    }
-  }
-  return false;
+  bool writes = false;
+  for_each_operand(instruction, [&](const OperandRole& role, std::int32_t value) {
+    writes |=
+        role.kind == OperandKind::any && role.written && value >= isa::LC0 && value <= isa::LB1;
+  });
+  return writes;
 }
 
 }  // namespace
@@ -61,33 +31,28 @@ void PipelineState::advance(Cycles cycles) {
 }
 
 Cycles Pipeline::issue_cycles(const ir::PlacedInstruction& instruction) const {
-  const auto cycles = [](const IntegerParameter& parameter) {
-    return static_cast<Cycles>(std::int64_t{parameter});
-  };
   switch (info_of(instruction).issue) {
     case isa::Issue::one:
-      return writes_loop_register(instruction) ? cycles(parameters_.loop_register) : 1;
+      return writes_loop_register(instruction) ? cycles_of(parameters_.loop_register) : 1;
     case isa::Issue::multiply32:
-      return cycles(parameters_.multiply32);
+      return cycles_of(parameters_.multiply32);
     case isa::Issue::link:
-      return cycles(parameters_.link);
+      return cycles_of(parameters_.link);
     case isa::Issue::unlink:
-      return cycles(parameters_.unlink);
+      return cycles_of(parameters_.unlink);
     case isa::Issue::core_sync:
-      return cycles(parameters_.core_sync);
+      return cycles_of(parameters_.core_sync);
     case isa::Issue::system_sync:
-      return cycles(parameters_.system_sync);
+      return cycles_of(parameters_.system_sync);
     case isa::Issue::event:
-      return cycles(parameters_.event);
+      return cycles_of(parameters_.event);
     case isa::Issue::test_and_set:
-      return cycles(parameters_.test_and_set);
+      return cycles_of(parameters_.test_and_set);
     case isa::Issue::register_list: {
       Cycles count = 0;
-      int index = 0;
-      for (const OperandRole& role : isa::roles_of(instruction.instruction)) {
-        for_each_register(role.kind, instruction.operand[static_cast<std::size_t>(index++)],
-                          [&](int) { ++count; });
-      }
+      for_each_operand(instruction, [&](const OperandRole& role, std::int32_t value) {
+        for_each_register(role, value, [&](int) { ++count; });
+      });
       return count;
     }
   }
@@ -107,14 +72,9 @@ PacketCost Pipeline::issue(const ir::PlacedPacket& packet, PipelineState& state)
     const ir::PlacedInstruction& instruction = packet.slots[slot];
     const isa::Instruction& info = info_of(instruction);
     cost.issue = std::max(cost.issue, issue_cycles(instruction));
-    std::size_t index = 0;
-    for (const OperandRole& role : isa::roles_of(instruction.instruction)) {
-      const std::int32_t value = instruction.operand[index++];
-      if (!role.read || !isa::is_register(role.kind)) {
-        continue;
-      }
-      for_each_register(role.kind, value, [&](int reg) {
-        if (reg > isa::L3) {
+    for_each_operand(instruction, [&](const OperandRole& role, std::int32_t value) {
+      for_each_register(role, value, [&](int reg) {
+        if (!role.read || reg > isa::L3) {
           return;
         }
         if (role.address_stage) {
@@ -123,7 +83,7 @@ PacketCost Pipeline::issue(const ir::PlacedPacket& packet, PipelineState& state)
           need(state.wait(reg).ex1, Cause::hazard_ex1);
         }
       });
-    }
+    });
     if ((info.implicit & isa::kReadsSp) != 0) {
       need(state.wait(isa::SP).address_stage, Cause::hazard_address);
     }
@@ -140,18 +100,11 @@ PacketCost Pipeline::issue(const ir::PlacedPacket& packet, PipelineState& state)
 
 void Pipeline::note_results(const ir::PlacedInstruction& instruction, PipelineState& state) const {
   const isa::Instruction& info = info_of(instruction);
-  const isa::OperandRoles& roles = isa::roles_of(instruction.instruction);
   const auto load_wait = static_cast<std::uint8_t>(std::int64_t{parameters_.load_to_address});
   const auto move_wait = static_cast<std::uint8_t>(std::int64_t{parameters_.move_to_address});
   const auto alu_wait = static_cast<std::uint8_t>(std::int64_t{parameters_.alu_to_ex1});
 
-  // A move between address registers happens in AC and makes nobody wait (hardware.md 6.1).
-  bool moves_from_address_register = false;
-  for (int i = 0; i < roles.count; ++i) {
-    moves_from_address_register |=
-        roles[i].read && !roles[i].written && isa::is_register(roles[i].kind) &&
-        isa::is_address_register(register_of(instruction.operand[static_cast<std::size_t>(i)]));
-  }
+  const bool from_address_register = reads_address_register(instruction);
   const auto written = [&](int reg, bool stepped) {
     if (reg > isa::L3) {
       return;
@@ -161,18 +114,16 @@ void Pipeline::note_results(const ir::PlacedInstruction& instruction, PipelineSt
       wait.ex1 = info.result == isa::Result::load ? 0 : alu_wait;
     } else if (!stepped && info.result == isa::Result::load) {
       wait.address_stage = load_wait;
-    } else if (!stepped && info.result == isa::Result::move && !moves_from_address_register) {
+    } else if (!stepped && info.result == isa::Result::move && !from_address_register) {
       wait.address_stage = move_wait;
     }
     state.set(reg, wait);
   };
-  for (int i = 0; i < roles.count; ++i) {
-    const OperandRole& role = roles[i];
-    if (role.written && isa::is_register(role.kind)) {
-      for_each_register(role.kind, instruction.operand[static_cast<std::size_t>(i)],
-                        [&](int reg) { written(reg, role.address_stage); });
+  for_each_operand(instruction, [&](const OperandRole& role, std::int32_t value) {
+    if (role.written) {
+      for_each_register(role, value, [&](int reg) { written(reg, role.address_stage); });
     }
-  }
+  });
   if ((info.implicit & isa::kWritesSp) != 0) {
     written(isa::SP, true);
   }

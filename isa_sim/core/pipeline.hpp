@@ -7,6 +7,7 @@
 // registers read back.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -26,16 +27,20 @@ class PipelineState {
   struct Wait {
     std::uint8_t address_stage = 0;
     std::uint8_t ex1 = 0;
-    auto operator<=>(const Wait&) const = default;
+    bool operator==(const Wait&) const = default;
   };
 
   [[nodiscard]] const Wait& wait(int reg) const { return waits_[static_cast<std::size_t>(reg)]; }
   void set(int reg, Wait wait) { waits_[static_cast<std::size_t>(reg)] = wait; }
   void advance(Cycles cycles);
-  [[nodiscard]] bool empty() const { return *this == PipelineState{}; }
-  auto operator<=>(const PipelineState&) const = default;
+  bool operator==(const PipelineState&) const = default;
+  // Some order, for a map.
+  [[nodiscard]] bool operator<(const PipelineState& other) const {
+    return std::ranges::lexicographical_compare(waits_, other.waits_, {}, key, key);
+  }
 
  private:
+  static int key(const Wait& wait) { return wait.address_stage << 8 | wait.ex1; }
   std::array<Wait, isa::L3 + 1> waits_{};
 };
 
