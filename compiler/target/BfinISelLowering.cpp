@@ -28,13 +28,13 @@ BfinTargetLowering::BfinTargetLowering(const TargetMachine& machine, const BfinS
 
   for (unsigned op : {ISD::BR_CC, ISD::SELECT_CC, ISD::SETCC, ISD::GlobalAddress,
                       ISD::ExternalSymbol, ISD::ConstantPool, ISD::JumpTable, ISD::UMUL_LOHI,
-                      ISD::MULHU})
+                      ISD::MULHU, ISD::SHL_PARTS, ISD::SRL_PARTS, ISD::SRA_PARTS})
     setOperationAction(op, MVT::i32, Custom);
   for (unsigned op : {ISD::VASTART, ISD::ATOMIC_FENCE, ISD::TRAP})
     setOperationAction(op, MVT::Other, Custom);
-  for (unsigned op : {ISD::SELECT, ISD::SDIVREM, ISD::UDIVREM, ISD::SMUL_LOHI, ISD::MULHS,
-                      ISD::SHL_PARTS, ISD::SRL_PARTS, ISD::SRA_PARTS, ISD::ROTL, ISD::ROTR,
-                      ISD::BSWAP, ISD::BITREVERSE, ISD::CTLZ, ISD::CTTZ, ISD::CTLZ_ZERO_UNDEF,
+  // ABS, too, is expanded: the machine's own saturates, C's smallest integer stays itself.
+  for (unsigned op : {ISD::ABS, ISD::SELECT, ISD::SDIVREM, ISD::UDIVREM, ISD::SMUL_LOHI, ISD::MULHS,
+                      ISD::ROTL, ISD::ROTR, ISD::BSWAP, ISD::BITREVERSE, ISD::CTLZ, ISD::CTTZ, ISD::CTLZ_ZERO_UNDEF,
                       ISD::CTTZ_ZERO_UNDEF, ISD::DYNAMIC_STACKALLOC, ISD::UMIN, ISD::UMAX})
     setOperationAction(op, MVT::i32, Expand);
   for (unsigned op : {ISD::BRCOND, ISD::BR_JT, ISD::VAARG, ISD::VACOPY, ISD::VAEND,
@@ -42,7 +42,7 @@ BfinTargetLowering::BfinTargetLowering(const TargetMachine& machine, const BfinS
     setOperationAction(op, MVT::Other, Expand);
   for (unsigned op : {ISD::SDIV, ISD::UDIV, ISD::SREM, ISD::UREM})
     setOperationAction(op, MVT::i32, LibCall);
-  for (unsigned op : {ISD::CTPOP, ISD::ABS, ISD::SMIN, ISD::SMAX})
+  for (unsigned op : {ISD::CTPOP, ISD::SMIN, ISD::SMAX})
     setOperationAction(op, MVT::i32, Legal);
   setOperationAction(ISD::SIGN_EXTEND_INREG, MVT::i1, Expand);
   for (unsigned extension : {ISD::EXTLOAD, ISD::ZEXTLOAD, ISD::SEXTLOAD})
@@ -79,6 +79,14 @@ SDValue BfinTargetLowering::LowerOperation(SDValue op, SelectionDAG& dag) const 
     case ISD::UMUL_LOHI:
     case ISD::MULHU:
       return lower_wide_product(op, dag);
+    case ISD::SHL_PARTS:
+    case ISD::SRL_PARTS:
+    case ISD::SRA_PARTS: {
+      SDValue low;
+      SDValue high;
+      expandShiftParts(op.getNode(), low, high, dag);
+      return dag.getMergeValues({low, high}, SDLoc(op));
+    }
     case ISD::VASTART:
       return lower_va_start(op, dag);
     case ISD::ATOMIC_FENCE:

@@ -231,7 +231,6 @@ let ReadsEarly = true in
 def MULFUHL : DspBinary<"$rd = ${ra}.H * ${rb}.L (FU)", [(set D:$rd, (bfin_mulu16hl D:$ra, D:$rb))]>;
 def : Pat<(bfin_mulu16 D:$ra, D:$rb), (MULFU D:$ra, D:$rb)>;
 def SUBNS : DspBinary<"$rd = $ra - $rb (NS)", []>;
-def ABS : Dsp<(outs D:$rd), (ins D:$ra), "$rd = ABS $ra", [(set D:$rd, (abs D:$ra))]>;
 // The count lands in the low half; the high half keeps what it held.
 let Constraints = "$old = $rd", ReadsEarly = true in {
   def ONES : Dsp<(outs D:$rd), (ins D:$old, D:$ra), "${rd}.L = ONES $ra">;
