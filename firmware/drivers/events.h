@@ -13,20 +13,20 @@ void events_attach(enum core core, int source, int ivg, void (*handler)(void));
 /* Unmasks all events attached so far. */
 void events_enable(void);
 
-/* Sleeps until `condition` holds. It is tested with interrupts held back, so that what makes it true
- * cannot come between the test and the sleep; a request that comes then ends IDLE all the same, and
- * is served when the mask is back. */
-#define WAIT_UNTIL(condition)              \
-  for (;;) {                               \
-    unsigned wait_mask = __builtin_bfin_cli();    \
-    int wait_over = (condition);           \
-    if (!wait_over) {                      \
-      __builtin_bfin_idle();                      \
-    }                                      \
-    __builtin_bfin_sti(wait_mask);                \
-    if (wait_over) {                       \
-      break;                               \
-    }                                      \
+/* Sleeps until `condition` holds. It is tested with interrupts held back, so that what makes it
+ * true cannot come between the test and the sleep; a request that comes then ends IDLE all the
+ * same, and is served when the mask is back. */
+#define WAIT_UNTIL(condition)                  \
+  for (;;) {                                   \
+    unsigned wait_mask = __builtin_bfin_cli(); \
+    int wait_over = (condition);               \
+    if (!wait_over) {                          \
+      __builtin_bfin_idle();                   \
+    }                                          \
+    __builtin_bfin_sti(wait_mask);             \
+    if (wait_over) {                           \
+      break;                                   \
+    }                                          \
   }
 
 #endif

@@ -4,8 +4,8 @@
 
 #include "events.h"
 
-static volatile struct dma_registers *destination_channel;
-static volatile struct dma_registers *source_channel;
+static volatile struct dma_registers* destination_channel;
+static volatile struct dma_registers* source_channel;
 static volatile int transfer_under_way;
 
 FINBACK_INTERRUPT static void transfer_done(void) {
@@ -17,9 +17,8 @@ FINBACK_INTERRUPT static void transfer_done(void) {
 void memory_dma_start(enum core core) {
   unsigned stream = core == CORE_A ? 0 : 1;
   destination_channel =
-      (volatile struct dma_registers *)(MDMA1_D0_BASE + stream * MDMA1_STREAM_STRIDE);
-  source_channel =
-      (volatile struct dma_registers *)(MDMA1_S0_BASE + stream * MDMA1_STREAM_STRIDE);
+      (volatile struct dma_registers*)(MDMA1_D0_BASE + stream * MDMA1_STREAM_STRIDE);
+  source_channel = (volatile struct dma_registers*)(MDMA1_S0_BASE + stream * MDMA1_STREAM_STRIDE);
   events_attach(core, IRQ_MDMA1_STREAM(stream), EVT_IVG8, transfer_done);
 }
 
@@ -39,7 +38,7 @@ static unsigned element_log2(unsigned combined) {
   return combined % 4 != 0 ? 1 : 2;
 }
 
-void memory_dma_copy(void *destination, const void *source, unsigned bytes) {
+void memory_dma_copy(void* destination, const void* source, unsigned bytes) {
   unsigned log2 = element_log2((uint32_t)destination | (uint32_t)source | bytes);
 
   memory_dma_wait();
@@ -52,7 +51,7 @@ void memory_dma_copy(void *destination, const void *source, unsigned bytes) {
   enable(log2 * WDSIZE_16); /* WDSIZE is the logarithm */
 }
 
-void memory_dma_gather(void *destination, const void *source, unsigned columns, unsigned rows,
+void memory_dma_gather(void* destination, const void* source, unsigned columns, unsigned rows,
                        int step, int source_width) {
   memory_dma_wait();
   source_channel->start_addr = (uint32_t)source;

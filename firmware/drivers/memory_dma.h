@@ -9,11 +9,11 @@ void memory_dma_start(enum core core);
 
 /* Begins to copy `bytes` bytes in the largest elements that both addresses and the size allow
  * (at most 65536 of them). */
-void memory_dma_copy(void *destination, const void *source, unsigned bytes);
+void memory_dma_copy(void* destination, const void* source, unsigned bytes);
 
-/* Begins to gather `columns` x `rows` bytes: every `step`-th byte of every `step`-th row of an image
- * whose rows are `source_width` bytes long. */
-void memory_dma_gather(void *destination, const void *source, unsigned columns, unsigned rows,
+/* Begins to gather `columns` x `rows` bytes: every `step`-th byte of every `step`-th row of an
+ * image whose rows are `source_width` bytes long. */
+void memory_dma_gather(void* destination, const void* source, unsigned columns, unsigned rows,
                        int step, int source_width);
 
 /* Sleeps until the transfer begun last is complete; returns at once when none was begun. Beginning

@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
-#define BF561_REGISTER_16(address) (*(volatile uint16_t *)(address))
-#define BF561_REGISTER_32(address) (*(volatile uint32_t *)(address))
+#define BF561_REGISTER_16(address) (*(volatile uint16_t*)(address))
+#define BF561_REGISTER_32(address) (*(volatile uint32_t*)(address))
 
 /* --- system interrupt controllers, one a core --- */
 

@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-void *memcpy(void *restrict destination, const void *restrict source, size_t bytes);
-void *memmove(void *destination, const void *source, size_t bytes);
-void *memset(void *destination, int value, size_t bytes);
+void* memcpy(void* restrict destination, const void* restrict source, size_t bytes);
+void* memmove(void* destination, const void* source, size_t bytes);
+void* memset(void* destination, int value, size_t bytes);
 
 #endif

@@ -11,7 +11,7 @@
 
 #define CAMERA_BUFFERS 2
 
-/* A frame is processed from one of the buffers while the cameras fill the other one. */
+/* One is processed while the cameras may fill the other one. */
 _Alignas(4) uint8_t vga_left[CAMERA_BUFFERS][CAMERA_WIDTH * CAMERA_HEIGHT];
 _Alignas(4) uint8_t vga_right[CAMERA_BUFFERS][CAMERA_WIDTH * CAMERA_HEIGHT];
 unsigned vga_frame[CAMERA_BUFFERS]; /* number of the frame in a buffer */
@@ -30,8 +30,7 @@ __attribute__((noinline)) int acquire_frame(int buffer) {
 
 /* Every 4th pixel of every 4th row, from L3 to L1, without the core's help. */
 __attribute__((noinline)) void subsample_pair(int buffer) {
-  memory_dma_gather(small_left, vga_left[buffer], MAP_WIDTH, MAP_HEIGHT, SUBSAMPLING,
-                    CAMERA_WIDTH);
+  memory_dma_gather(small_left, vga_left[buffer], MAP_WIDTH, MAP_HEIGHT, SUBSAMPLING, CAMERA_WIDTH);
   memory_dma_gather(small_right, vga_right[buffer], MAP_WIDTH, MAP_HEIGHT, SUBSAMPLING,
                     CAMERA_WIDTH);
   memory_dma_wait();
@@ -44,8 +43,10 @@ __attribute__((noinline)) void rectify_pair(int slot) {
   memcpy(hand_over_right[slot], small_right, MAP_PIXELS);
 }
 
-__attribute__((noinline)) void wait_for_empty_slot(int slot) {
-  WAIT_UNTIL(!hand_over_full[slot]);
+/* Until core B has begun with the pair handed over last: a frame that is grabbed earlier only grows
+ * old. Two frames are then in the pipeline, and the slot after the last one is empty. */
+__attribute__((noinline)) void wait_for_core_b(unsigned frames_handed_over) {
+  WAIT_UNTIL(frames_handed_over - maps_published < SLOT_COUNT);
 }
 
 __attribute__((noinline)) void hand_over_pair(int slot, unsigned frame_number) {
@@ -56,25 +57,20 @@ __attribute__((noinline)) void hand_over_pair(int slot, unsigned frame_number) {
 
 int main(void) {
   unsigned frames = 0;
-  int buffer = 0;
-  int acquired;
 
   memory_dma_start(CORE_A);
   core_interrupt_start(CORE_A);
   events_enable();
   SICA_SYSCR &= ~COREB_SRAM_INIT; /* core B starts */
 
-  acquired = acquire_frame(buffer);
-  while (acquired) {
-    int next_buffer = (buffer + 1) % CAMERA_BUFFERS;
+  while (acquire_frame((int)(frames % CAMERA_BUFFERS))) {
+    int buffer = (int)(frames % CAMERA_BUFFERS);
     int slot = (int)(frames % SLOT_COUNT);
-    acquired = acquire_frame(next_buffer);
     subsample_pair(buffer);
-    wait_for_empty_slot(slot);
     rectify_pair(slot);
     hand_over_pair(slot, vga_frame[buffer]);
-    buffer = next_buffer;
     ++frames;
+    wait_for_core_b(frames);
   }
   WAIT_UNTIL(maps_published == frames);
   return 0;

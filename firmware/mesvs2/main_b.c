@@ -13,7 +13,7 @@
 #define BAND_ROWS 10
 #define BAND_PIXELS (BAND_ROWS * MAP_WIDTH)
 #define BAND_COUNT (MAP_HEIGHT / BAND_ROWS)
-_Static_assert(BAND_COUNT * BAND_ROWS == MAP_HEIGHT, "bands fill the map");
+_Static_assert(BAND_COUNT* BAND_ROWS == MAP_HEIGHT, "bands fill the map");
 
 /* The rectified pair, then, in place, its census. */
 _Alignas(4) uint8_t left_census[MAP_PIXELS];
@@ -27,7 +27,6 @@ __attribute__((noinline)) unsigned receive_pair(int slot) {
   memory_dma_copy(right_census, hand_over_right[slot], MAP_PIXELS);
   memory_dma_wait();
   hand_over_full[slot] = 0;
-  core_interrupt_raise(CORE_A);
   return frame_number;
 }
 
@@ -39,7 +38,7 @@ __attribute__((noinline)) void census_pair(void) {
 }
 
 __attribute__((noinline)) void match_band(int band) {
-  uint8_t *row = disparity_bands[band % 2];
+  uint8_t* row = disparity_bands[band % 2];
   for (int y = band * BAND_ROWS; y < (band + 1) * BAND_ROWS; ++y) {
     match_row(left_census, right_census, y, row);
     row += MAP_WIDTH;

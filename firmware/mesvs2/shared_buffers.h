@@ -1,7 +1,8 @@
 /* What both cores see: the slots in which core A hands rectified pairs to core B, and the map.
  *
- * A slot is empty or full. Only core A fills an empty one, only core B empties a full one; each then
- * interrupts the other. Two slots let core A work on frame n + 1 while core B works on frame n. */
+ * A slot is empty or full. Only core A fills an empty one, only core B empties a full one. Core A
+ * interrupts core B when it has filled a slot, core B interrupts core A when it has published a
+ * map. Two slots let core A work on frame n + 1 while core B works on frame n. */
 #ifndef MESVS2_SHARED_BUFFERS_H
 #define MESVS2_SHARED_BUFFERS_H
 

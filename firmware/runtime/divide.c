@@ -1,5 +1,6 @@
-/* Division of 32-bit integers, which the processor has no instruction for: the compiler calls these.
- * As everywhere on a Blackfin, dividing by 0 is not caught; it gives all ones and the dividend. */
+/* Division of 32-bit integers, which the processor has no instruction for: the compiler calls
+ * these. As everywhere on a Blackfin, dividing by 0 is not caught; it gives all ones and the
+ * dividend. */
 #include <stdint.h>
 
 struct division {
