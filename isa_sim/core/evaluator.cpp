@@ -126,11 +126,11 @@ void Evaluator::execute(const ir::PlacedPacket& packet) {
              flow == isa::Flow::ret) {
     end += cycles_of(parameters_.branch_taken) - 1;
   }
-  for (const int loop : {1, 0}) {
-    std::uint32_t& count = state_.reg[static_cast<std::size_t>(isa::LC0 + loop)];
-    if (!taken && count != 0 &&
-        state_.reg[static_cast<std::size_t>(isa::LB0 + loop)] == packet.address && --count != 0) {
-      state_.next_address = state_.reg[static_cast<std::size_t>(isa::LT0 + loop)];
+  auto& reg = state_.reg;
+  for (const std::size_t loop : {std::size_t{1}, std::size_t{0}}) {
+    if (!taken && reg[isa::LC0 + loop] != 0 && reg[isa::LB0 + loop] == packet.address &&
+        --reg[isa::LC0 + loop] != 0) {
+      state_.next_address = reg[isa::LT0 + loop];
       break;
     }
   }

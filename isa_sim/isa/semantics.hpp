@@ -235,7 +235,7 @@ enum class MultiplyMode : std::uint8_t { signed_fraction, signed_integer, unsign
 [[nodiscard]] inline std::int64_t multiply_halves(std::uint16_t a, std::uint16_t b,
                                                   MultiplyMode mode) {
   if (mode == MultiplyMode::unsigned_fraction) {
-    return std::int64_t{std::uint32_t{a} * std::uint32_t{b}};
+    return std::int64_t{a} * b;
   }
   const std::int64_t product = std::int64_t{std::int16_t(a)} * std::int16_t(b);
   if (mode == MultiplyMode::signed_integer) {
@@ -352,7 +352,8 @@ const Operation* load(ExecutionState& s, const Operation* o) {
   }
   advance_base<walk, sizeof(T)>(s, *o, 1);
   if constexpr (into == Into::whole) {
-    reg(s, (*o)[0]) = static_cast<std::uint32_t>(value);
+    // By way of the signed type, so that a signed T brings its sign along.
+    reg(s, (*o)[0]) = static_cast<std::uint32_t>(std::int64_t{value});
   } else if constexpr (into == Into::low) {
     set_low(s, (*o)[0], static_cast<std::uint16_t>(value));
   } else {

@@ -54,10 +54,12 @@ template <int shift>
 constexpr auto kPointerAdd = [](ExecutionState& s, const Operation& o) {
   reg(s, o[0]) = reg(s, o[1]) + (reg(s, o[2]) << shift);
 };
-template <int left>
-constexpr auto kPointerShift = [](ExecutionState& s, const Operation& o) {
-  reg(s, o[0]) = left > 0 ? reg(s, o[1]) << left : reg(s, o[1]) >> -left;
-};
+template <int amount>
+constexpr auto kPointerLeft =
+    [](ExecutionState& s, const Operation& o) { reg(s, o[0]) = reg(s, o[1]) << amount; };
+template <int amount>
+constexpr auto kPointerRight =
+    [](ExecutionState& s, const Operation& o) { reg(s, o[0]) = reg(s, o[1]) >> amount; };
 // Signed divide primitives: bit by bit, quotient grows in the low half (Programming Reference, DIVS
 // and DIVQ).
 u32 divide_step(u32 pair, std::uint16_t remainder, std::uint32_t bit) {
@@ -142,10 +144,10 @@ constexpr Instruction kTable[] = {
     pointer_form("{P@+} = ({=0} + {P@}) << 2", plain<[](ExecutionState& s, const Operation& o) {
                    reg(s, o[0]) = (reg(s, o[0]) + reg(s, o[1])) << 2;
                  }>),
-    pointer_form("{P!} = {P@} << 1", plain<kPointerShift<1>>),
-    pointer_form("{P!} = {P@} << 2", plain<kPointerShift<2>>),
-    pointer_form("{P!} = {P@} >> 1", plain<kPointerShift<-1>>),
-    pointer_form("{P!} = {P@} >> 2", plain<kPointerShift<-2>>),
+    pointer_form("{P!} = {P@} << 1", plain<kPointerLeft<1>>),
+    pointer_form("{P!} = {P@} << 2", plain<kPointerLeft<2>>),
+    pointer_form("{P!} = {P@} >> 1", plain<kPointerRight<1>>),
+    pointer_form("{P!} = {P@} >> 2", plain<kPointerRight<2>>),
     pointer_form("{P@+} += {imm7}", plain<[](ExecutionState& s, const Operation& o) {
                    reg(s, o[0]) += static_cast<u32>(o[1]);
                  }>),

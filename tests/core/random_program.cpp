@@ -1,5 +1,6 @@
 #include "random_program.hpp"
 
+#include <fmt/format.h>
 #include <random>
 #include <vector>
 
@@ -38,8 +39,9 @@ class Generator {
       const bool loop = random_() % 3 == 0;
       if (loop) {
         const std::string label = ".Ll" + std::to_string(labels_++);
-        body += "P5 = " + std::to_string(1 + random_() % 5) + " (X);\nLSETUP (" + label + "t, " +
-                label + "e) LC" + std::to_string(random_() % 2) + " = P5;\n" + label + "t:\n";
+        const auto count = 1 + random_() % 5;
+        body += fmt::format("P5 = {} (X);\nLSETUP ({}t, {}e) LC{} = P5;\n{}t:\n", count, label,
+                            label, random_() % 2, label);
         body += straight(length) + label + "e:\nNOP;\n";
       } else {
         body += straight(length);
@@ -140,7 +142,7 @@ class Generator {
       const std::string value =
           base_set ? "4" : "_buffer + " + std::to_string(8192 + 4 * (random_() % 512));
       if (roles[i].kind != OperandKind::modify) {
-        setup += name + ".L = " + value + "; " + name + ".H = " + (base_set ? "0" : value) + ";\n";
+        setup += fmt::format("{}.L = {}; {}.H = {};\n", name, value, name, base_set ? "0" : value);
       }
       base_set = true;
     }
@@ -161,7 +163,6 @@ class Generator {
       case OperandKind::data_half:
         return pick(isa::R0, 8) | (random_() % 2 == 0 ? isa::kHighHalf : 0);
       case OperandKind::pointer:
-        return pick(isa::P0, 5);
       case OperandKind::pointer_low:
         return pick(isa::P0, 5);
       case OperandKind::pointer_high:

@@ -135,8 +135,7 @@ TEST(Calls, CallAndReturnTakeFiveEach) {
 
 // hardware.md 6.1: the inner column of transpm costs rows + 4, that of matmmlt Ac + 4.
 TEST(PublishedKernels, TransposeColumn) {
-  const std::string column =
-      "P0.L = _buffer; P0.H = _buffer; I0 = P0; I1 = P0; P1 = 8 (X);\n";
+  const std::string column = "P0.L = _buffer; P0.H = _buffer; I0 = P0; I1 = P0; P1 = 8 (X);\n";
   const std::string kernel =
       "R0 = [P0++P1]; LSETUP (.Lt, .Lt) LC0 = P1; .Lt: MNOP || R0 = [P0++P1] || [I1++] = R0; I0 += "
       "2; P0 = I0;\n";
