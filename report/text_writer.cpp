@@ -78,11 +78,11 @@ void write_stages(Page& page, const RunResult& r) {
   if (r.stages.empty()) {
     return;
   }
-  page.title("Stages                  core      cycles/frame       ms   of the core");
+  page.title("Stages                      core      cycles/frame       ms   of the core");
   for (const Stage& stage : r.stages) {
     const auto core = std::find_if(r.cores.begin(), r.cores.end(),
                                    [&](const Core& c) { return c.name == stage.core; });
-    page.line("  {:<20}  {:<7} {:>14.0f} {:>8.2f} {:>8.1f} %", stage.name, stage.core,
+    page.line("  {:<24}  {:<7} {:>14.0f} {:>8.2f} {:>8.1f} %", stage.name, stage.core,
               stage.cycles_per_frame, stage.cycles_per_frame / r.core_hertz * 1e3,
               core == r.cores.end() ? 0.0 : percent(stage.cycles, core->cycles));
   }
@@ -119,6 +119,11 @@ void write_cores(Page& page, const RunResult& r) {
 }
 
 void write_traffic(Page& page, const RunResult& r) {
+  const bool any = std::any_of(r.traffic.begin(), r.traffic.end(),
+                               [](const Traffic& row) { return row.read + row.written > 0; });
+  if (!any) {
+    return;
+  }
   page.title("Traffic per frame       by             read       written");
   for (const Traffic& row : r.traffic) {
     if (row.read + row.written > 0) {

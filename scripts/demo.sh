@@ -6,7 +6,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 scripts/setup.sh
 cmake --preset release
-cmake --build build/release --parallel "$(nproc)"
+# What runs here; tests and benchmarks are built by scripts/test.sh.
+cmake --build build/release --parallel "$(nproc)" --target finback finback_firmware_mesvs2
 
 for scene in aloe synthetic; do
   echo

@@ -135,7 +135,7 @@ TEST(Text, ShowsWhatMatters) {
   EXPECT_THAT(text, HasSubstr("firmware mesvs2, scene aloe, placement default, machine bf561"));
   EXPECT_THAT(text, HasSubstr("frames_per_second       24.00 fps   target >= 20     pass"));
   EXPECT_THAT(text, HasSubstr("bad_pixels              25.00 %"));
-  EXPECT_THAT(text, HasSubstr("rectification         core_a         1000000"));
+  EXPECT_THAT(text, HasSubstr("rectification             core_a         1000000"));
   EXPECT_THAT(text, HasSubstr("core_b (never started)"));
   EXPECT_THAT(text, HasSubstr("l3                    core_a        1.00 MB         200 B"));
   EXPECT_THAT(text, HasSubstr("core_a.dynamic"));
