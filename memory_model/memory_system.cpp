@@ -126,20 +126,23 @@ void MemorySystem::add_span(std::size_t index, std::uint64_t base, std::uint64_t
     span.window.bytes = span.bytes;
   }
   spans_.push_back(span);
+  span_bases_.push_back(span.base);
 }
 
 Span* MemorySystem::find_any(Address address) {
-  Span*& recent = recent_[(address >> 12U ^ address >> 20U) % kRecentCount];
+  Span*& recent = recent_[(address >> 10U ^ address >> 20U) % kRecentCount];
   if (recent != nullptr && recent->contains(address)) {
     return recent;
   }
-  const auto next =
-      std::upper_bound(spans_.begin(), spans_.end(), address,
-                       [](Address wanted, const Span& span) { return wanted < span.base; });
-  if (next == spans_.begin() || !std::prev(next)->contains(address)) {
+  const auto next = std::upper_bound(span_bases_.begin(), span_bases_.end(), address);
+  if (next == span_bases_.begin()) {
     return nullptr;
   }
-  recent = &*std::prev(next);
+  Span& span = spans_[static_cast<std::size_t>(next - span_bases_.begin()) - 1];
+  if (!span.contains(address)) {
+    return nullptr;
+  }
+  recent = &span;
   return recent;
 }
 

@@ -182,9 +182,10 @@ class MemorySystem {
   MemoryMap map_;
   std::vector<HostBytes> region_bytes_;  // as map_.regions
   std::vector<Span> spans_;              // ordered by base; fixed after construction
+  std::vector<Address> span_bases_;      // as spans_; packed for the search
   std::vector<ObjectTraffic> objects_;   // names; traffic stays in the spans
   // Spans found last, by a hash of the address: programs work on few objects at a time.
-  static constexpr std::size_t kRecentCount = 64;
+  static constexpr std::size_t kRecentCount = 256;
   std::array<Span*, kRecentCount> recent_{};
 
   Cycles l1_dma_overhead_;
