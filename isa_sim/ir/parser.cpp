@@ -254,6 +254,7 @@ class Parser {
       return;
     }
     std::vector<std::string> known;
+    known.reserve(all.size());
     for (const Directive& directive : all) {
       known.emplace_back(directive.name);
     }

@@ -91,6 +91,7 @@ std::vector<std::pair<std::string, const toml::node*>> TomlReader::in_order(
   }
   std::ranges::sort(entries);
   std::vector<std::pair<std::string, const toml::node*>> result;
+  result.reserve(entries.size());
   for (const Entry& entry : entries) {
     result.emplace_back(std::get<2>(entry), std::get<3>(entry));
   }

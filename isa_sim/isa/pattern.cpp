@@ -69,7 +69,7 @@ void add_literals(std::vector<PatternStep>& steps, std::string_view text) {
 }
 
 std::string print_register_kind(OperandKind kind, int value) {
-  const std::string name(register_name(static_cast<Register>(register_of(value))));
+  std::string name(register_name(static_cast<Register>(register_of(value))));
   switch (kind) {
     case OperandKind::data_low:
     case OperandKind::pointer_low:

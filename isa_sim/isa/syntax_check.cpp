@@ -12,6 +12,7 @@ namespace {
 
 std::vector<OperandValue> numbers(const std::vector<std::int32_t>& values) {
   std::vector<OperandValue> result;
+  result.reserve(values.size());
   for (const std::int32_t value : values) {
     result.push_back({value, {}});
   }

@@ -100,12 +100,11 @@ class Tokenizer {
         ++position_;
       } else if (c == ' ' || c == '\t' || c == '\r' || c == '\f') {
         ++position_;
-      } else if (c == '/' && at(position_ + 1) == '/') {
+      } else if ((c == '/' && at(position_ + 1) == '/') ||
+                 (c == '#' && line_ != last_token_line_)) {
         skip_to_end_of_line();
       } else if (c == '/' && at(position_ + 1) == '*') {
         skip_block_comment();
-      } else if (c == '#' && line_ != last_token_line_) {
-        skip_to_end_of_line();
       } else {
         return true;
       }
