@@ -5,10 +5,9 @@ set -euo pipefail
 
 packages=(
   # building
-  g++ cmake ninja-build pkg-config git ca-certificates
-  # finback-cc: LLVM as a library and clang as its front end; what LLVM's CMake files ask for
+  g++ cmake ninja-build git ca-certificates
+  # finback-cc: LLVM as a library and clang as its front end
   llvm-19-dev llvm-19-tools clang-19
-  zlib1g-dev libzstd-dev libcurl4-openssl-dev libedit-dev libxml2-dev
   # libraries of the simulator and its tools
   libopencv-core-dev libopencv-imgcodecs-dev libopencv-imgproc-dev
   libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libeigen3-dev
