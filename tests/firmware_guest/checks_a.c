@@ -1,0 +1,180 @@
+/* Checks of the runtime and the drivers on the chip. The exit status is 0 or the first check that
+ * failed. */
+#include <bf561.h>
+#include <core_interrupt.h>
+#include <events.h>
+#include <host_port.h>
+#include <memory_dma.h>
+#include <string.h>
+
+#include "shared_checks.h"
+
+enum check {
+  ALL_WELL,
+  UNSIGNED_DIVISION,
+  SIGNED_DIVISION,
+  MEMORY_FUNCTIONS,
+  DMA_COPY,
+  DMA_COPY_SPILLS,
+  DMA_GATHER,
+};
+
+_Alignas(4) uint8_t bytes_in_l1[CHECKED_BYTES];
+_Alignas(4) uint8_t other_bytes_in_l1[CHECKED_BYTES];
+
+static uint32_t random_state = 1;
+
+static uint32_t random_number(void) {
+  random_state = random_state * 1664525u + 1013904223u;
+  return random_state >> (random_state >> 27);
+}
+
+static enum check check_division(void) {
+  for (int i = 0; i < 200; ++i) {
+    uint32_t dividend = random_number();
+    uint32_t divisor = random_number() | 1;
+    uint32_t quotient = dividend / divisor;
+    uint32_t remainder = dividend % divisor;
+    if (quotient * divisor + remainder != dividend || remainder >= divisor) {
+      return UNSIGNED_DIVISION;
+    }
+  }
+  for (int i = 0; i < 4; ++i) {
+    volatile int32_t dividend = i < 2 ? 47 : -47;
+    volatile int32_t divisor = i % 2 == 0 ? 9 : -9;
+    int32_t quotient = i == 0 || i == 3 ? 5 : -5;
+    if (dividend / divisor != quotient || dividend % divisor != (i < 2 ? 2 : -2)) {
+      return SIGNED_DIVISION;
+    }
+  }
+  return ALL_WELL;
+}
+
+static void count_up(uint8_t* bytes) {
+  for (int i = 0; i < CHECKED_BYTES; ++i) {
+    bytes[i] = (uint8_t)(i * 5 + 1);
+  }
+}
+
+/* Whether `size` bytes at `to` are those that count_up puts at `from`, and all others 0. */
+static enum check check_copy(const uint8_t* copy, int to, int from, int size) {
+  for (int i = 0; i < CHECKED_BYTES; ++i) {
+    int inside = i >= to && i < to + size;
+    if (copy[i] != (inside ? (uint8_t)((i - to + from) * 5 + 1) : 0)) {
+      return inside ? DMA_COPY : DMA_COPY_SPILLS;
+    }
+  }
+  return ALL_WELL;
+}
+
+static enum check check_memory_functions(void) {
+  count_up(bytes_in_l1);
+  for (int from = 0; from < 4; ++from) {
+    for (int to = 0; to < 4; ++to) {
+      memset(other_bytes_in_l1, 0, CHECKED_BYTES);
+      memcpy(other_bytes_in_l1 + to, bytes_in_l1 + from, 37);
+      if (check_copy(other_bytes_in_l1, to, from, 37) != ALL_WELL) {
+        return MEMORY_FUNCTIONS;
+      }
+      memmove(other_bytes_in_l1 + 9, other_bytes_in_l1 + to, 37);
+      memset(other_bytes_in_l1, 0, 9);
+      if (check_copy(other_bytes_in_l1, 9, from, 37) != ALL_WELL) {
+        return MEMORY_FUNCTIONS;
+      }
+    }
+  }
+  return ALL_WELL;
+}
+
+/* Every alignment of both ends, sizes of every element width. */
+static enum check check_dma_copies(uint8_t* destination, uint8_t* source) {
+  static const uint8_t sizes[] = {1, 2, 3, 4, 31, 64, 200};
+  count_up(source);
+  for (int from = 0; from < 4; ++from) {
+    for (int to = 0; to < 4; ++to) {
+      for (unsigned i = 0; i < sizeof sizes; ++i) {
+        enum check result;
+        memset(destination, 0, CHECKED_BYTES);
+        memory_dma_copy(destination + to, source + from, sizes[i]);
+        memory_dma_wait();
+        result = check_copy(destination, to, from, sizes[i]);
+        if (result != ALL_WELL) {
+          return result;
+        }
+      }
+    }
+  }
+  return ALL_WELL;
+}
+
+static void pause_for(unsigned loops) {
+  for (; loops != 0; --loops) {
+    __builtin_bfin_nop();
+  }
+}
+
+/* A transfer that ends ever earlier with respect to the moment of going to sleep; no end may be
+ * overlooked, or the machine stands still. */
+static void meet_the_end_of_dma(void) {
+  for (unsigned delay = 0; delay < 400; ++delay) {
+    memory_dma_copy(bytes_in_l1, other_bytes_in_l1, 4);
+    pause_for(delay);
+    memory_dma_wait();
+  }
+}
+
+/* 5 x 3 bytes out of an image of 20 x 12. */
+static enum check check_dma_gather(void) {
+  count_up(bytes_in_l3);
+  memset(bytes_in_l1, 0, CHECKED_BYTES);
+  memory_dma_gather(bytes_in_l1, bytes_in_l3, 5, 3, 4, 20);
+  memory_dma_wait();
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 5; ++x) {
+      if (bytes_in_l1[5 * y + x] != bytes_in_l3[20 * 4 * y + 4 * x]) {
+        return DMA_GATHER;
+      }
+    }
+  }
+  return bytes_in_l1[15] == 0 ? ALL_WELL : DMA_GATHER;
+}
+
+/* Loses a wake-up and the machine stands still. */
+static void play_with_core_b(void) {
+  SICA_SYSCR &= ~COREB_SRAM_INIT;
+  for (unsigned round = 1; round <= 300; ++round) {
+    thrown = round;
+    core_interrupt_raise(CORE_B);
+    pause_for(round * 11 % 64);
+    WAIT_UNTIL(returned == round);
+  }
+}
+
+int main(void) {
+  enum check result = check_division();
+  memory_dma_start(CORE_A);
+  core_interrupt_start(CORE_A);
+  events_enable();
+  if (result == ALL_WELL) {
+    result = check_memory_functions();
+  }
+  if (result == ALL_WELL) {
+    result = check_dma_copies(bytes_in_l1, bytes_in_l3);
+  }
+  if (result == ALL_WELL) {
+    result = check_dma_copies(bytes_in_l3, other_bytes_in_l1);
+  }
+  if (result == ALL_WELL) {
+    result = check_dma_copies(bytes_in_l1, bytes_in_l2);
+  }
+  if (result == ALL_WELL) {
+    result = check_dma_copies(bytes_in_l2, bytes_in_l3);
+  }
+  if (result == ALL_WELL) {
+    result = check_dma_gather();
+  }
+  meet_the_end_of_dma();
+  play_with_core_b();
+  host_print(result == ALL_WELL ? "all checks passed\n" : "a check failed\n");
+  return (int)result;
+}
