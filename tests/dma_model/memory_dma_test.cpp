@@ -98,7 +98,7 @@ TEST_F(MemoryDmaTest, EveryWidthMovesItsBytes) {
 
 TEST_F(MemoryDmaTest, SubSamplingTakesEveryFourthPixelOfEveryFourthRow) {
   constexpr std::uint32_t kWidth = 640;
-  const auto image = pattern(kWidth * 480);
+  const auto image = pattern(std::size_t{kWidth} * 480);
   memory_->store_bytes(kL3, image);
   program(*dma1_, kS0, kL3, 160, 4);
   program_rows(*dma1_, kS0, 120, 4 + 3 * kWidth);

@@ -33,7 +33,7 @@ TEST_F(SdramTimingTest, AnotherRowOfTheBankAddsPrechargeAndActivation) {
 
 TEST_F(SdramTimingTest, EachBankKeepsItsRow) {
   for (Address bank = 0; bank < 4; ++bank) {
-    EXPECT_EQ(read(0, bank * kBankBytes, 100 * bank), (8 + 3) * kSclk - 1);
+    EXPECT_EQ(read(0, bank * kBankBytes, Cycles{100} * bank), (8 + 3) * kSclk - 1);
   }
   for (Address bank = 0; bank < 4; ++bank) {
     EXPECT_EQ(read(0, bank * kBankBytes + 8, 1000 + 100 * bank), 8 * kSclk - 1);
@@ -53,7 +53,7 @@ TEST_F(SdramTimingTest, TheBusIsHeldForPartOfACoresRead) {
   read(0, kL3, 0);
   read(1, kL3 + 4, 1000);                                  // holds the bus for 4 SCLK
   EXPECT_EQ(read(0, kL3 + 8, 1000), (4 + 8) * kSclk - 1);  // the loser
-  EXPECT_EQ(read(1, kL3 + 8, 1000 + 2 * 4 * kSclk), 8 * kSclk - 1);
+  EXPECT_EQ(read(1, kL3 + 8, 1000 + 8 * kSclk), 8 * kSclk - 1);
 }
 
 TEST_F(SdramTimingTest, WritesCostOneSclkInTheRowAndRecoveryOutsideIt) {
