@@ -32,7 +32,8 @@ void mark_handlers(Module& module) {
     const auto* entry = cast<ConstantStruct>(use.get());
     auto* function = dyn_cast<Function>(entry->getOperand(0)->stripPointerCasts());
     const auto* text = dyn_cast<GlobalVariable>(entry->getOperand(1)->stripPointerCasts());
-    const auto* data = text == nullptr ? nullptr : dyn_cast<ConstantDataArray>(text->getInitializer());
+    const auto* data =
+        text == nullptr ? nullptr : dyn_cast<ConstantDataArray>(text->getInitializer());
     if (function == nullptr || data == nullptr || data->getAsCString() != "interrupt")
       continue;
     function->addFnAttr(kInterruptAttribute);

@@ -18,7 +18,8 @@ bool is_wide_integer(const Type* type) {
   return type->isIntegerTy() && type->getIntegerBitWidth() > 64;
 }
 
-/// Floating-point values may be copied about; computing with them needs a library that is not there.
+/// Floating-point values may be copied about; computing with them needs a library that is not
+/// there.
 bool computes_in_float(const Instruction& inst) {
   if (isa<LoadInst>(inst) || isa<StoreInst>(inst) || isa<PHINode>(inst) || isa<SelectInst>(inst) ||
       isa<ReturnInst>(inst) || isa<BitCastInst>(inst))
@@ -46,11 +47,13 @@ std::string problem_of_call(const CallBase& call) {
     const auto* number = dyn_cast<ConstantInt>(call.getArgOperand(0));
     return number != nullptr && number->getZExtValue() < 16
                ? ""
-               : ("the argument of " + callee->getName() + " must be a constant from 0 to 15").str();
+               : ("the argument of " + callee->getName() + " must be a constant from 0 to 15")
+                     .str();
   }
-  static constexpr const char* kKnown[] = {"csync", "ssync", "idle", "nop",
+  static constexpr const char* kKnown[] = {"csync", "ssync", "idle",    "nop",
                                            "cli",   "sti",   "testset", "ones"};
-  return is_contained(kKnown, name) ? "" : ("there is no instruction behind " + callee->getName()).str();
+  return is_contained(kKnown, name) ? ""
+                                    : ("there is no instruction behind " + callee->getName()).str();
 }
 
 std::string problem_of(const Instruction& inst) {
@@ -90,7 +93,8 @@ std::vector<std::string> unsupported_constructs(const Module& module, const std:
   };
   for (const Function& function : module) {
     std::string start = place(function, DebugLoc(), input);
-    if (isInterruptHandler(function) && (!function.arg_empty() || !function.getReturnType()->isVoidTy()))
+    if (isInterruptHandler(function) &&
+        (!function.arg_empty() || !function.getReturnType()->isVoidTy()))
       add(start, "an interrupt handler takes no arguments and returns nothing");
     for (const Instruction& inst : instructions(function))
       add(place(function, inst.getDebugLoc(), input), problem_of(inst));

@@ -5,7 +5,6 @@
 #include <llvm/Support/FileUtilities.h>
 #include <llvm/Support/MemoryBuffer.h>
 #include <llvm/Support/Program.h>
-
 #include <stdexcept>
 
 #include "../target/BfinTargetMachine.hpp"
@@ -16,15 +15,39 @@ namespace {
 std::vector<std::string> clang_command(const std::string& clang, const std::string& input,
                                        const Options& options, const std::string& include_dir,
                                        const std::string& output) {
-  std::vector<std::string> command = {
-      clang,           "-target",        "csky",     "-std=gnu11",    "-ffreestanding",
-      "-fno-builtin",  "-nostdlibinc",   "-Ucsky",   "-U__csky__",    "-U__CSKY__",
-      "-U__ckcore__",  "-U__CKCORE__",   "-U__CSKYABI__", "-U__cskyabi__", "-U__CSKYLE__",
-      "-U__cskyle__",  "-D__bfin__=1",   "-D__BFIN__=1", "-D__ADSPBF561__=1", "-D__FINBACK__=1",
-      "-Wall",         "-g",  "-gline-tables-only", "-emit-llvm",
-      "-fno-discard-value-names", "-Xclang", "-disable-llvm-passes", "-Xclang",
-      "-disable-O0-optnone", "-fdebug-default-version=5", std::string("-O") + options.level,
-      "-isystem",      include_dir};
+  std::vector<std::string> command = {clang,
+                                      "-target",
+                                      "csky",
+                                      "-std=gnu11",
+                                      "-ffreestanding",
+                                      "-fno-builtin",
+                                      "-nostdlibinc",
+                                      "-Ucsky",
+                                      "-U__csky__",
+                                      "-U__CSKY__",
+                                      "-U__ckcore__",
+                                      "-U__CKCORE__",
+                                      "-U__CSKYABI__",
+                                      "-U__cskyabi__",
+                                      "-U__CSKYLE__",
+                                      "-U__cskyle__",
+                                      "-D__bfin__=1",
+                                      "-D__BFIN__=1",
+                                      "-D__ADSPBF561__=1",
+                                      "-D__FINBACK__=1",
+                                      "-Wall",
+                                      "-g",
+                                      "-gline-tables-only",
+                                      "-emit-llvm",
+                                      "-fno-discard-value-names",
+                                      "-Xclang",
+                                      "-disable-llvm-passes",
+                                      "-Xclang",
+                                      "-disable-O0-optnone",
+                                      "-fdebug-default-version=5",
+                                      std::string("-O") + options.level,
+                                      "-isystem",
+                                      include_dir};
   command.insert(command.end(), options.clang_arguments.begin(), options.clang_arguments.end());
   for (const char* last : {"-c", "-o"})
     command.emplace_back(last);

@@ -4,7 +4,6 @@
 
 #include <llvm/IR/LLVMContext.h>
 #include <llvm/IR/Module.h>
-
 #include <memory>
 #include <string>
 
@@ -12,8 +11,8 @@
 
 namespace finback::compiler {
 
-/// The module of one C file, with this target's data layout. Empty when clang reported errors (it has
-/// printed them itself). Throws std::runtime_error when clang cannot be run.
+/// The module of one C file, with this target's data layout. Empty when clang reported errors (it
+/// has printed them itself). Throws std::runtime_error when clang cannot be run.
 std::unique_ptr<llvm::Module> compile_c(const std::string& input, const Options& options,
                                         const std::string& include_dir, llvm::LLVMContext& context);
 

@@ -1,7 +1,8 @@
 // finback-cc: C to BIR.
-#include <CLI/CLI.hpp>
+#include <filesystem>
 #include <fmt/core.h>
-
+#include <fstream>
+#include <iostream>
 #include <llvm/ADT/SmallString.h>
 #include <llvm/CodeGen/Passes.h>
 #include <llvm/InitializePasses.h>
@@ -10,14 +11,11 @@
 #include <llvm/Support/ErrorHandling.h>
 #include <llvm/Support/FileSystem.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-
 #include "../target/Bfin.hpp"
 #include "backend.hpp"
 #include "diagnose.hpp"
 #include "frontend.hpp"
+#include <CLI/CLI.hpp>
 
 namespace finback::compiler {
 namespace {
@@ -113,17 +111,21 @@ int main(int argc, char** argv) {
       "Example:\n  finback-cc -O2 -I firmware/include -o shd.bir firmware/shd.c\n\n"
       "Exit codes: 0 fine, 1 usage, 2 bad input.");
   std::string level = "2";
-  std::vector<std::string> includes, defines, undefines, warnings;
+  std::vector<std::string> includes, defines, undefines, warnings, features;
   bool unused = false;
   app.add_option("files", options.inputs, "C source files")->required();
-  app.add_option("-o", options.output, "The BIR file to write (one input only; else NAME.bir each)");
+  app.add_option("-o", options.output,
+                 "The BIR file to write (one input only; else NAME.bir each)");
   app.add_option("-O", level, "Optimisation: 0, 1, 2, 3 or s")
       ->check(CLI::IsMember({"0", "1", "2", "3", "s"}))
       ->capture_default_str();
   app.add_option("-I", includes, "A folder to look for headers in")->allow_extra_args(false);
   app.add_option("-D", defines, "A macro: NAME or NAME=VALUE")->allow_extra_args(false);
   app.add_option("-U", undefines, "A macro to forget")->allow_extra_args(false);
-  app.add_option("-W", warnings, "A warning option of clang, e.g. -Werror")->allow_extra_args(false);
+  app.add_option("-W", warnings, "A warning option of clang, e.g. -Werror")
+      ->allow_extra_args(false);
+  app.add_option("-f", features, "A language option of clang, e.g. -fwrapv")
+      ->allow_extra_args(false);
   app.add_flag("-g", unused, "Source lines in the output (always on; accepted for scripts)");
   app.add_flag("-c", unused, "Compile only (always so; accepted for scripts)");
   app.add_flag("--emit-llvm", options.emit_llvm, "Write LLVM IR after the middle end instead");
@@ -134,8 +136,9 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : finback::compiler::kUsage;
   }
   options.level = level[0];
-  for (auto [flag, values] : {std::pair{"-I", &includes}, std::pair{"-D", &defines},
-                              std::pair{"-U", &undefines}, std::pair{"-W", &warnings}})
+  for (auto [flag, values] :
+       {std::pair{"-I", &includes}, std::pair{"-D", &defines}, std::pair{"-U", &undefines},
+        std::pair{"-W", &warnings}, std::pair{"-f", &features}})
     for (const std::string& value : *values)
       options.clang_arguments.push_back(flag + value);
   if (!options.output.empty() && options.inputs.size() > 1) {

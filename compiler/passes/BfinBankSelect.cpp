@@ -6,7 +6,6 @@
 #include <llvm/CodeGen/MachineInstrBuilder.h>
 #include <llvm/CodeGen/MachineRegisterInfo.h>
 #include <llvm/InitializePasses.h>
-
 #include <map>
 
 #include "../target/Bfin.hpp"
@@ -257,8 +256,8 @@ Register BfinBankSelect::in_bank(Register reg, Bank bank) {
   auto [entry, added] = other_bank_.try_emplace({reg, bank});
   if (!added)
     return entry->second;
-  Register copy = regs_->createVirtualRegister(bank == Bank::kData ? &Bfin::DRegClass
-                                                                   : &Bfin::PRegClass);
+  Register copy =
+      regs_->createVirtualRegister(bank == Bank::kData ? &Bfin::DRegClass : &Bfin::PRegClass);
   entry->second = copy;
   banks_[copy] = bank;
   MachineInstr* def = regs_->getVRegDef(reg);
@@ -288,8 +287,8 @@ void BfinBankSelect::rewrite(MachineInstr& inst) {
   bool joined = inst.isPHI() || forms.data != 0;
   Bank own = Bank::kEither;
   if (joined)
-    own = inst.getNumExplicitDefs() == 1 ? banks_[inst.getOperand(0).getReg()]
-                                         : banks_[Register(0)];
+    own =
+        inst.getNumExplicitDefs() == 1 ? banks_[inst.getOperand(0).getReg()] : banks_[Register(0)];
   for (unsigned i = 0; i < inst.getNumOperands(); ++i) {
     const MachineOperand& operand = inst.getOperand(i);
     if (!is_value(operand) || operand.isDef())

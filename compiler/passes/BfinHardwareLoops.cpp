@@ -1,6 +1,6 @@
-// Which loops run on the loop counters. The middle end has marked every loop whose count is known on
-// entry, counting in a register; here, on machine code, calls that selection introduced are seen,
-// too. Innermost loops get a counter, and one loop around them the other one: LC1 inside, LC0
+// Which loops run on the loop counters. The middle end has marked every loop whose count is known
+// on entry, counting in a register; here, on machine code, calls that selection introduced are
+// seen, too. Innermost loops get a counter, and one loop around them the other one: LC1 inside, LC0
 // outside, as the hardware wants where both end together. What is left counts down in its register.
 #include <llvm/CodeGen/MachineFunctionPass.h>
 #include <llvm/CodeGen/MachineInstrBuilder.h>
@@ -94,8 +94,8 @@ bool BfinHardwareLoops::find_counting(MachineLoop& loop, Counting& counting) con
   return counting.start->getOpcode() == Bfin::LOOPSTART &&
          regs_->hasOneNonDBGUse(counting.start->getOperand(0).getReg()) &&
          counting.start->getParent()->succ_size() == 1 &&
-         counting.start->getParent()->isSuccessor(header) &&
-         branch->getOpcode() == Bfin::JNCC && branch->getOperand(0).getMBB() == header;
+         counting.start->getParent()->isSuccessor(header) && branch->getOpcode() == Bfin::JNCC &&
+         branch->getOperand(0).getMBB() == header;
 }
 
 bool BfinHardwareLoops::body_allows(const MachineLoop& loop) const {
@@ -104,7 +104,8 @@ bool BfinHardwareLoops::body_allows(const MachineLoop& loop) const {
     for (const MachineInstr& inst : *block) {
       if (inst.isCall() || inst.isInlineAsm())
         return false;
-      bytes += inst.isMetaInstruction() || inst.isPHI() ? 0 : std::max(4U, inst.getDesc().getSize());
+      bytes +=
+          inst.isMetaInstruction() || inst.isPHI() ? 0 : std::max(4U, inst.getDesc().getSize());
     }
   return bytes <= kMostBytes;
 }
@@ -122,10 +123,10 @@ void BfinHardwareLoops::convert(MachineLoop& loop, const Counting& counting) {
                                 counting.start->getDebugLoc(), tii_->get(Bfin::LOOPSETUP))
                             .addImm(0)
                             .addReg(count);
-  MachineInstr* end = BuildMI(*latch, counting.branch, counting.branch->getDebugLoc(),
-                              tii_->get(Bfin::ENDLOOP))
-                          .addMBB(loop.getHeader())
-                          .addImm(0);
+  MachineInstr* end =
+      BuildMI(*latch, counting.branch, counting.branch->getDebugLoc(), tii_->get(Bfin::ENDLOOP))
+          .addMBB(loop.getHeader())
+          .addImm(0);
   counting.branch->eraseFromParent();
   counting.compare->eraseFromParent();
   counting.phi->eraseFromParent();

@@ -1,12 +1,11 @@
-// After allocation and block placement: every hardware loop becomes LSETUP and its two labels. LSETUP
-// stands right before the loop's top and the latch comes last; a loop that has grown beyond LSETUP's
-// reach (4..2046 bytes to the last instruction, hardware.md 1.4) counts down in software, with the
-// count still in LC.
+// After allocation and block placement: every hardware loop becomes LSETUP and its two labels.
+// LSETUP stands right before the loop's top and the latch comes last; a loop that has grown beyond
+// LSETUP's reach (4..2046 bytes to the last instruction, hardware.md 1.4) counts down in software,
+// with the count still in LC.
 #include <llvm/CodeGen/LivePhysRegs.h>
 #include <llvm/CodeGen/MachineFunctionPass.h>
 #include <llvm/CodeGen/MachineInstrBuilder.h>
 #include <llvm/MC/MCContext.h>
-
 #include <map>
 #include <set>
 
@@ -99,9 +98,8 @@ void BfinLoopLayout::order_blocks(MachineFunction& function) {
     order.insert(order.begin(), loop.top);
     if (loop.latch != loop.top)
       order.push_back(loop.latch);
-    MachineBasicBlock* first = &*find_if(function, [&](MachineBasicBlock& block) {
-      return loop.blocks.count(&block) != 0;
-    });
+    MachineBasicBlock* first = &*find_if(
+        function, [&](MachineBasicBlock& block) { return loop.blocks.count(&block) != 0; });
     if (first != loop.top)
       loop.top->moveBefore(first);
     for (size_t i = 1; i < order.size(); ++i)
@@ -151,7 +149,8 @@ bool may_end_loop(const MachineInstr& inst) {
 MachineInstr& last_instruction(MachineBasicBlock& latch, MachineInstr& end,
                                const BfinInstrInfo& tii) {
   auto at = end.getIterator();
-  while (at != latch.instr_begin() && (std::prev(at)->isMetaInstruction() || std::prev(at)->isInsideBundle()))
+  while (at != latch.instr_begin() &&
+         (std::prev(at)->isMetaInstruction() || std::prev(at)->isInsideBundle()))
     --at;
   if (at != latch.instr_begin() && may_end_loop(*std::prev(at)))
     return *std::prev(at);
@@ -191,7 +190,8 @@ void BfinLoopLayout::write_setup(HardwareLoop& loop) {
 /// The count stays in LC, which is no loop without LSETUP; a data register is borrowed to step it.
 void BfinLoopLayout::count_in_software(HardwareLoop& loop) {
   MCPhysReg lc = loop.setup->getOperand(0).getImm() == 0 ? Bfin::LC0 : Bfin::LC1;
-  BuildMI(*loop.setup->getParent(), *loop.setup, loop.setup->getDebugLoc(), tii_->get(Bfin::MOV), lc)
+  BuildMI(*loop.setup->getParent(), *loop.setup, loop.setup->getDebugLoc(), tii_->get(Bfin::MOV),
+          lc)
       .addReg(loop.setup->getOperand(1).getReg());
   loop.setup->eraseFromParent();
   MachineBasicBlock& latch = *loop.latch;

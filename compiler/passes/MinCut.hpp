@@ -15,7 +15,8 @@ class MinCut {
   static constexpr int kSink = 1;
 
   int add_node();
-  /// Cutting the edge costs `capacity` when `from` ends on the source's side and `to` on the sink's.
+  /// Cutting the edge costs `capacity` when `from` ends on the source's side and `to` on the
+  /// sink's.
   void add_edge(int from, int to, Capacity capacity);
   /// For every node: is it on the source's side? The source's side is the smallest possible one.
   std::vector<bool> source_side();

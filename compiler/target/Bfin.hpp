@@ -26,7 +26,9 @@ FunctionPass* createBfinHardwareLoops();
 FunctionPass* createBfinBankSelect();
 /// After allocation and layout: writes LSETUP and its labels.
 FunctionPass* createBfinLoopLayout();
-/// Shorter forms, predicated moves' leftovers and the branch predictions.
+/// After allocation: the final order of each block, in packets.
+FunctionPass* createBfinPackets();
+/// Shorter forms and the branch predictions.
 FunctionPass* createBfinLateForms();
 
 }  // namespace llvm

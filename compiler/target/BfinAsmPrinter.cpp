@@ -9,7 +9,6 @@
 #include <llvm/MC/MCInst.h>
 #include <llvm/MC/MCSectionELF.h>
 #include <llvm/MC/MCSymbol.h>
-
 #include <map>
 
 #include "BfinMCTargetDesc.hpp"
@@ -172,6 +171,11 @@ void BfinAsmPrinter::emitInstruction(const MachineInstr* inst) {
     write_location(*it);
     for (; it != inst->getParent()->instr_end() && it->isInsideBundle(); ++it)
       packet.push_back(lower(*it));
+    // Within the bundle reads stand before writes; the text has the slots in their order.
+    stable_sort(packet, [&](const MCInst& a, const MCInst& b) {
+      return BfinII::getSlot(MF->getSubtarget().getInstrInfo()->get(a.getOpcode())) <
+             BfinII::getSlot(MF->getSubtarget().getInstrInfo()->get(b.getOpcode()));
+    });
   }
   bir().emitPacket(packet, getSubtargetInfo());
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <llvm/CodeGen/AsmPrinter.h>
-
 #include <memory>
 
 namespace llvm {

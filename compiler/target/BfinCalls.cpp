@@ -51,8 +51,8 @@ SDValue BfinTargetLowering::LowerFormalArguments(SDValue chain, CallingConv::ID 
     Register reg = function.addLiveIn(kArgumentRegisters[i], &Bfin::DPRegClass);
     int index = frame.CreateFixedObject(4, 4 * static_cast<int64_t>(i), false);
     SDValue value = dag.getCopyFromReg(chain, loc, reg, MVT::i32);
-    stores.push_back(dag.getStore(chain, loc, value, dag.getFrameIndex(index, MVT::i32),
-                                  MachinePointerInfo()));
+    stores.push_back(
+        dag.getStore(chain, loc, value, dag.getFrameIndex(index, MVT::i32), MachinePointerInfo()));
   }
   if (!stores.empty()) {
     stores.push_back(chain);
@@ -183,8 +183,8 @@ bool lowerBfinBuiltin(StringRef name, TargetLowering::CallLoweringInfo& call,
     chain = dag.getNode(BfinISD::STI, loc, MVT::Other, chain, argument(0));
   } else if (name == "raise" || name == "excpt") {
     unsigned opcode = name == "raise" ? BfinISD::RAISE : BfinISD::EXCPT;
-    SDValue number = dag.getTargetConstant(cast<ConstantSDNode>(argument(0))->getZExtValue(), loc,
-                                           MVT::i32);
+    SDValue number =
+        dag.getTargetConstant(cast<ConstantSDNode>(argument(0))->getZExtValue(), loc, MVT::i32);
     chain = dag.getNode(opcode, loc, MVT::Other, chain, number);
   } else if (name == "testset") {
     SDValue test = dag.getNode(BfinISD::TESTSET, loc, dag.getVTList(MVT::Other, MVT::Glue), chain,

@@ -12,12 +12,12 @@
 namespace llvm {
 namespace {
 
-constexpr int kLinkBytes = 8;        // RETS and the old FP
-constexpr int64_t kMostLinked = 0x3fffc;  // LINK's immediate: a multiple of 4 in 16 bits
+constexpr int kLinkBytes = 8;               // RETS and the old FP
+constexpr int64_t kMostLinked = 0x3fffc;    // LINK's immediate: a multiple of 4 in 16 bits
 constexpr uint64_t kMostWithoutLink = 120;  // locals that two steps of SP make cheaper than LINK
 
-/// What the prologue pushes: R7:n and P5:m at once (8 and 6 mean none), a handler's scratch registers
-/// one by one.
+/// What the prologue pushes: R7:n and P5:m at once (8 and 6 mean none), a handler's scratch
+/// registers one by one.
 struct PushList {
   unsigned lowest_d = 8;
   unsigned lowest_p = 6;
@@ -48,8 +48,8 @@ SmallVector<MCPhysReg, 32> interrupt_registers(const MachineFunction& function) 
     regs.append({Bfin::LB0, Bfin::LB1, Bfin::LT0, Bfin::LT1, Bfin::LC0, Bfin::LC1});
   if (calls)
     regs.append({Bfin::A0X, Bfin::A0W, Bfin::A1X, Bfin::A1W, Bfin::I0, Bfin::I1, Bfin::I2,
-                 Bfin::I3, Bfin::M0, Bfin::M1, Bfin::M2, Bfin::M3, Bfin::B0, Bfin::B1, Bfin::B2,
-                 Bfin::B3, Bfin::L0, Bfin::L1, Bfin::L2, Bfin::L3});
+                 Bfin::I3,  Bfin::M0,  Bfin::M1,  Bfin::M2,  Bfin::M3, Bfin::B0, Bfin::B1,
+                 Bfin::B2,  Bfin::B3,  Bfin::L0,  Bfin::L1,  Bfin::L2, Bfin::L3});
   return regs;
 }
 
@@ -113,8 +113,8 @@ bool BfinFrameLowering::assignCalleeSavedSpillSlots(MachineFunction& function,
   unsigned special = saved_special_bytes(function);
   function.getInfo<BfinMachineFunctionInfo>()->saved_bytes = offset + special;
   // The locals begin below everything that is pushed and below LINK's two words.
-  frame.CreateFixedObject(special + kLinkBytes, -static_cast<int64_t>(offset + special + kLinkBytes),
-                          true);
+  frame.CreateFixedObject(special + kLinkBytes,
+                          -static_cast<int64_t>(offset + special + kLinkBytes), true);
   return true;
 }
 
@@ -167,8 +167,9 @@ bool BfinFrameLowering::restoreCalleeSavedRegisters(MachineBasicBlock& block,
 }
 
 /// SP += bytes, in steps of the seven-bit immediate.
-static void step_stack(MachineBasicBlock& block, MachineBasicBlock::iterator at, const DebugLoc& loc,
-                       const BfinInstrInfo& tii, int64_t bytes, MachineInstr::MIFlag flag) {
+static void step_stack(MachineBasicBlock& block, MachineBasicBlock::iterator at,
+                       const DebugLoc& loc, const BfinInstrInfo& tii, int64_t bytes,
+                       MachineInstr::MIFlag flag) {
   while (bytes != 0) {
     int64_t step = std::clamp<int64_t>(bytes, -64, 60);
     BuildMI(block, at, loc, tii.get(Bfin::ADDI), Bfin::SP)

@@ -33,12 +33,13 @@ BfinTargetLowering::BfinTargetLowering(const TargetMachine& machine, const BfinS
   for (unsigned op : {ISD::VASTART, ISD::ATOMIC_FENCE, ISD::TRAP})
     setOperationAction(op, MVT::Other, Custom);
   // ABS, too, is expanded: the machine's own saturates, C's smallest integer stays itself.
-  for (unsigned op : {ISD::ABS, ISD::SELECT, ISD::SDIVREM, ISD::UDIVREM, ISD::SMUL_LOHI, ISD::MULHS,
-                      ISD::ROTL, ISD::ROTR, ISD::BSWAP, ISD::BITREVERSE, ISD::CTLZ, ISD::CTTZ, ISD::CTLZ_ZERO_UNDEF,
-                      ISD::CTTZ_ZERO_UNDEF, ISD::DYNAMIC_STACKALLOC, ISD::UMIN, ISD::UMAX})
+  for (unsigned op :
+       {ISD::ABS, ISD::SELECT, ISD::SDIVREM, ISD::UDIVREM, ISD::SMUL_LOHI, ISD::MULHS, ISD::ROTL,
+        ISD::ROTR, ISD::BSWAP, ISD::BITREVERSE, ISD::CTLZ, ISD::CTTZ, ISD::CTLZ_ZERO_UNDEF,
+        ISD::CTTZ_ZERO_UNDEF, ISD::DYNAMIC_STACKALLOC, ISD::UMIN, ISD::UMAX})
     setOperationAction(op, MVT::i32, Expand);
-  for (unsigned op : {ISD::BRCOND, ISD::BR_JT, ISD::VAARG, ISD::VACOPY, ISD::VAEND,
-                      ISD::STACKSAVE, ISD::STACKRESTORE})
+  for (unsigned op : {ISD::BRCOND, ISD::BR_JT, ISD::VAARG, ISD::VACOPY, ISD::VAEND, ISD::STACKSAVE,
+                      ISD::STACKRESTORE})
     setOperationAction(op, MVT::Other, Expand);
   for (unsigned op : {ISD::SDIV, ISD::UDIV, ISD::SREM, ISD::UREM})
     setOperationAction(op, MVT::i32, LibCall);
@@ -56,9 +57,9 @@ BfinTargetLowering::BfinTargetLowering(const TargetMachine& machine, const BfinS
 
 const char* BfinTargetLowering::getTargetNodeName(unsigned opcode) const {
   static constexpr const char* kNames[] = {
-      "CALL",   "RET",      "RETI",     "SYMBOL", "CMP",   "BITTST", "JCC", "SELECT",
-      "FROMCC", "NOTCC",    "MULU16",   "MULU16HL", "MULU16HH", "CSYNC", "SSYNC", "IDLE",
-      "NOP",    "CLI",      "STI",      "RAISE",  "EXCPT", "TESTSET"};
+      "CALL",   "RET",   "RETI",   "SYMBOL",   "CMP",      "BITTST", "JCC",   "SELECT",
+      "FROMCC", "NOTCC", "MULU16", "MULU16HL", "MULU16HH", "CSYNC",  "SSYNC", "IDLE",
+      "NOP",    "CLI",   "STI",    "RAISE",    "EXCPT",    "TESTSET"};
   unsigned index = opcode - BfinISD::CALL;
   return opcode >= BfinISD::CALL && index < std::size(kNames) ? kNames[index] : nullptr;
 }
@@ -129,7 +130,8 @@ struct Condition {
 };
 
 /// A test of one bit against zero, which needs no mask in a register.
-bool match_bit_test(SDValue left, SDValue right, ISD::CondCode code, SDValue& value, unsigned& bit) {
+bool match_bit_test(SDValue left, SDValue right, ISD::CondCode code, SDValue& value,
+                    unsigned& bit) {
   if ((code != ISD::SETEQ && code != ISD::SETNE) || left.getOpcode() != ISD::AND)
     return false;
   auto* mask = dyn_cast<ConstantSDNode>(left.getOperand(1));
@@ -227,9 +229,9 @@ Condition compare(SDValue left, SDValue right, ISD::CondCode code, SelectionDAG&
     default:
       report_fatal_error("no comparison for a condition code");
   }
-  return {dag.getNode(BfinISD::CMP, loc, MVT::Glue, left, right,
-                      dag.getConstant(test, loc, MVT::i32)),
-          sense};
+  return {
+      dag.getNode(BfinISD::CMP, loc, MVT::Glue, left, right, dag.getConstant(test, loc, MVT::i32)),
+      sense};
 }
 
 ISD::CondCode condition_code(SDValue node) { return cast<CondCodeSDNode>(node)->get(); }
@@ -238,24 +240,24 @@ ISD::CondCode condition_code(SDValue node) { return cast<CondCodeSDNode>(node)->
 
 SDValue BfinTargetLowering::lower_branch(SDValue op, SelectionDAG& dag) const {
   SDLoc loc(op);
-  Condition test = compare(op.getOperand(2), op.getOperand(3), condition_code(op.getOperand(1)),
-                           dag, loc);
+  Condition test =
+      compare(op.getOperand(2), op.getOperand(3), condition_code(op.getOperand(1)), dag, loc);
   return dag.getNode(BfinISD::JCC, loc, MVT::Other, op.getOperand(0), op.getOperand(4),
                      dag.getConstant(test.sense, loc, MVT::i32), test.glue);
 }
 
 SDValue BfinTargetLowering::lower_select(SDValue op, SelectionDAG& dag) const {
   SDLoc loc(op);
-  Condition test = compare(op.getOperand(0), op.getOperand(1), condition_code(op.getOperand(4)),
-                           dag, loc);
+  Condition test =
+      compare(op.getOperand(0), op.getOperand(1), condition_code(op.getOperand(4)), dag, loc);
   return dag.getNode(BfinISD::SELECT, loc, MVT::i32, op.getOperand(2), op.getOperand(3),
                      dag.getConstant(test.sense, loc, MVT::i32), test.glue);
 }
 
 SDValue BfinTargetLowering::lower_setcc(SDValue op, SelectionDAG& dag) const {
   SDLoc loc(op);
-  Condition test = compare(op.getOperand(0), op.getOperand(1), condition_code(op.getOperand(2)),
-                           dag, loc);
+  Condition test =
+      compare(op.getOperand(0), op.getOperand(1), condition_code(op.getOperand(2)), dag, loc);
   if (!test.sense)
     test.glue = dag.getNode(BfinISD::NOTCC, loc, MVT::Glue, test.glue);
   return dag.getNode(BfinISD::FROMCC, loc, MVT::i32, test.glue);
@@ -278,8 +280,8 @@ SDValue BfinTargetLowering::lower_wide_product(SDValue op, SelectionDAG& dag) co
   // Neither sum can pass 32 bits: (2^16-1)^2 + 2 (2^16-1) = 2^32 - 1.
   SDValue t = node(ISD::ADD, hl, node(ISD::SRL, ll, sixteen));
   SDValue u = node(ISD::ADD, lh, node(ISD::AND, t, low_mask));
-  SDValue high = node(ISD::ADD, node(ISD::ADD, hh, node(ISD::SRL, t, sixteen)),
-                      node(ISD::SRL, u, sixteen));
+  SDValue high =
+      node(ISD::ADD, node(ISD::ADD, hh, node(ISD::SRL, t, sixteen)), node(ISD::SRL, u, sixteen));
   if (op.getOpcode() == ISD::MULHU)
     return high;
   SDValue low = node(ISD::MUL, a, b);

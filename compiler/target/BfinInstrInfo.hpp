@@ -23,8 +23,8 @@ class BfinInstrInfo : public BfinGenInstrInfo {
                            bool kill, int index, const TargetRegisterClass* rc,
                            const TargetRegisterInfo* tri, Register) const override;
   void loadRegFromStackSlot(MachineBasicBlock& block, MachineBasicBlock::iterator at, Register reg,
-                            int index, const TargetRegisterClass* rc,
-                            const TargetRegisterInfo* tri, Register) const override;
+                            int index, const TargetRegisterClass* rc, const TargetRegisterInfo* tri,
+                            Register) const override;
   Register isLoadFromStackSlot(const MachineInstr& inst, int& index) const override;
   Register isStoreToStackSlot(const MachineInstr& inst, int& index) const override;
   bool expandPostRAPseudo(MachineInstr& inst) const override;

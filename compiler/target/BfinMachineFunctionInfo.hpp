@@ -17,8 +17,9 @@ class BfinMachineFunctionInfo : public MachineFunctionInfo {
  public:
   BfinMachineFunctionInfo(const Function&, const TargetSubtargetInfo*) {}
 
-  MachineFunctionInfo* clone(BumpPtrAllocator& allocator, MachineFunction& destination,
-                             const DenseMap<MachineBasicBlock*, MachineBasicBlock*>&) const override {
+  MachineFunctionInfo* clone(
+      BumpPtrAllocator& allocator, MachineFunction& destination,
+      const DenseMap<MachineBasicBlock*, MachineBasicBlock*>&) const override {
     (void)allocator;
     return destination.cloneInfo<BfinMachineFunctionInfo>(*this);
   }

@@ -51,8 +51,8 @@ const TargetRegisterClass* BfinRegisterInfo::getPointerRegClass(const MachineFun
   return &Bfin::PRegClass;
 }
 
-bool BfinRegisterInfo::eliminateFrameIndex(MachineBasicBlock::iterator inst, int,
-                                           unsigned operand, RegScavenger*) const {
+bool BfinRegisterInfo::eliminateFrameIndex(MachineBasicBlock::iterator inst, int, unsigned operand,
+                                           RegScavenger*) const {
   MachineBasicBlock& block = *inst->getParent();
   MachineFunction& function = *block.getParent();
   const auto& tii = *function.getSubtarget<BfinSubtarget>().getInstrInfo();

@@ -6,6 +6,5 @@ def BfinModel : SchedMachineModel {
   let LoadLatency = 1;
   let HighLatency = 3;
   let MispredictPenalty = 8;
-  let PostRAScheduler = true;
   let CompleteModel = false;
 }

@@ -15,7 +15,7 @@ BfinSubtarget::BfinSubtarget(const Triple& triple, StringRef cpu, StringRef feat
 
 namespace {
 
-constexpr unsigned kPointerLoadLatency = 4;  // three stalls before use as an address
+constexpr unsigned kPointerLoadLatency = 4;    // three stalls before use as an address
 constexpr unsigned kDataToPointerLatency = 5;  // four stalls before use as an address
 constexpr unsigned kEarlyReadLatency = 2;      // one stall from an ALU result to EX1
 

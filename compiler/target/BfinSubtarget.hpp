@@ -15,7 +15,8 @@ namespace llvm {
 
 class BfinSubtarget : public BfinGenSubtargetInfo {
  public:
-  BfinSubtarget(const Triple& triple, StringRef cpu, StringRef features, const TargetMachine& machine);
+  BfinSubtarget(const Triple& triple, StringRef cpu, StringRef features,
+                const TargetMachine& machine);
 
   void ParseSubtargetFeatures(StringRef cpu, StringRef tune, StringRef features);
 
@@ -26,7 +27,6 @@ class BfinSubtarget : public BfinGenSubtargetInfo {
   const SelectionDAGTargetInfo* getSelectionDAGInfo() const override { return &dag_info_; }
 
   bool enableMachineScheduler() const override { return true; }
-  bool enablePostRAScheduler() const override { return true; }
   /// Stalls between producer and consumer (hardware.md 1.5), as latencies.
   void adjustSchedDependency(SUnit* producer, int def_operand, SUnit* consumer, int use_operand,
                              SDep& dependency, const TargetSchedModel* model) const override;

@@ -18,8 +18,8 @@ Target& getBfinTarget() {
 void initializeBfinTarget() {
   // No triple names this machine: an unknown architecture never matches.
   TargetRegistry::RegisterTarget(
-      getBfinTarget(), "bfin", "Blackfin (BIR text)", "Bfin", [](Triple::ArchType) { return false; },
-      false);
+      getBfinTarget(), "bfin", "Blackfin (BIR text)", "Bfin",
+      [](Triple::ArchType) { return false; }, false);
   RegisterTargetMachine<BfinTargetMachine> machine(getBfinTarget());
   registerBfinMC();
 }
@@ -74,6 +74,7 @@ class BfinPassConfig : public TargetPassConfig {
   }
 
   void addPreEmitPass() override {
+    addPass(createBfinPackets());
     addPass(createBfinLateForms());
     addPass(createBfinLoopLayout());
     addPass(&BranchRelaxationPassID);

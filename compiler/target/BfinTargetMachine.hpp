@@ -2,7 +2,6 @@
 #pragma once
 
 #include <llvm/Target/TargetMachine.h>
-
 #include <memory>
 
 #include "BfinSubtarget.hpp"
@@ -25,9 +24,9 @@ class BfinTargetMachine : public LLVMTargetMachine {
   TargetPassConfig* createPassConfig(PassManagerBase& passes) override;
   TargetTransformInfo getTargetTransformInfo(const Function& function) const override;
   TargetLoweringObjectFile* getObjFileLowering() const override { return objects_.get(); }
-  MachineFunctionInfo* createMachineFunctionInfo(BumpPtrAllocator& allocator,
-                                                 const Function& function,
-                                                 const TargetSubtargetInfo* subtarget) const override;
+  MachineFunctionInfo* createMachineFunctionInfo(
+      BumpPtrAllocator& allocator, const Function& function,
+      const TargetSubtargetInfo* subtarget) const override;
 
  private:
   std::unique_ptr<TargetLoweringObjectFile> objects_;

@@ -88,7 +88,8 @@ static bool has_real_call(const Loop& loop) {
 bool BfinTTIImpl::isHardwareLoopProfitable(Loop* loop, ScalarEvolution& scev, AssumptionCache&,
                                            TargetLibraryInfo*, HardwareLoopInfo& info) const {
   BasicBlock* latch = loop->getLoopLatch();
-  if (latch == nullptr || !loop->isLoopExiting(latch) || !scev.hasLoopInvariantBackedgeTakenCount(loop))
+  if (latch == nullptr || !loop->isLoopExiting(latch) ||
+      !scev.hasLoopInvariantBackedgeTakenCount(loop))
     return false;
   if (isa<SCEVCouldNotCompute>(scev.getExitCount(loop, latch)) || has_real_call(*loop))
     return false;

@@ -109,9 +109,8 @@ void BirStreamer::emitIntValue(uint64_t value, unsigned size) {
 
 void BirStreamer::emitBytes(StringRef data) {
   StringRef text = data.drop_back(data.ends_with(StringRef("\0", 1)) ? 1 : 0);
-  bool readable = data.size() > 1 && all_of(text, [](char c) {
-                    return isPrint(c) && c != '"' && c != '\\';
-                  });
+  bool readable =
+      data.size() > 1 && all_of(text, [](char c) { return isPrint(c) && c != '"' && c != '\\'; });
   if (readable) {
     flush_values();
     out_ << (text.size() == data.size() ? "  .ascii \"" : "  .asciz \"") << text << "\"\n";

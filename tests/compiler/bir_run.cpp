@@ -1,8 +1,7 @@
 // Links BIR files into a bare program of core A, runs it, prints what it prints, and then its exit
 // status and cycles. The tests' way to execute what finback-cc writes.
-#include <fmt/core.h>
-
 #include <exception>
+#include <fmt/core.h>
 
 #include <isa_sim/ir/firmware.hpp>
 #include <isa_sim/ir/linker.hpp>
