@@ -39,7 +39,7 @@ fs::path firmware_file(const std::string& name) {
     return name;
   }
   const fs::path folder = share_folder() / "firmware";
-  const fs::path installed = folder / name / kManifest;
+  fs::path installed = folder / name / kManifest;
   if (!fs::exists(installed, error)) {
     const std::vector<std::string> known = installed_firmwares(folder);
     const std::string near = nearest_name(name, known);
