@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <scenes/luma.hpp>
+#include <system_error>
 
 #include <cli/commands.hpp>
 #include <cli/output_folder.hpp>
@@ -13,6 +13,7 @@
 #include <power_model/power_file.hpp>
 #include <report/json_writer.hpp>
 #include <report/text_writer.hpp>
+#include <scenes/luma.hpp>
 
 namespace finback::cli {
 
@@ -81,9 +82,19 @@ void write_map(const machine::PublishedMap& map, const std::filesystem::path& pa
   scenes::write_disparity_png(image, smallest, largest, path);
 }
 
+std::string map_name(std::size_t frame) { return fmt::format("disparity_{:04}.png", frame); }
+
 // One counter a line, ordered by name: what differs shows in a diff.
 std::string trace_text(const report::RunResult& result) {
   return nlohmann::json(trace_counters(result)).dump(1) + "\n";
+}
+
+// Maps of an earlier run with more frames would pass for this one's.
+void remove_maps_from(const std::filesystem::path& folder, std::size_t frame) {
+  std::error_code error;
+  while (std::filesystem::remove(folder / map_name(frame), error)) {
+    ++frame;
+  }
 }
 
 int run(const Options& options) {
@@ -109,13 +120,14 @@ int run(const Options& options) {
   }
 
   for (const machine::PublishedMap& map : outcome.maps) {
-    write_map(map, folder.staged(fmt::format("disparity_{:04}.png", map.frame_number)));
+    write_map(map, folder.staged(map_name(map.frame_number)));
   }
   write_file_whole(folder.staged("result.json"), report::to_json(outcome.result));
   if (!options.trace_counters.empty()) {
     write_file_whole(options.trace_counters, trace_text(outcome.result));
   }
   folder.commit();
+  remove_maps_from(options.out, outcome.maps.size());
   fmt::print("{}", report::to_text(outcome.result));
   fmt::print("Written: {} maps and result.json in {}\n", outcome.maps.size(), options.out);
   const bool passed = std::all_of(outcome.result.targets.begin(), outcome.result.targets.end(),

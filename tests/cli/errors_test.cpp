@@ -1,8 +1,8 @@
 // What people get wrong: one clear line on stderr, the right exit code, and nothing left behind.
 #include <gmock/gmock.h>
-#include <scenes/luma.hpp>
 
 #include "program.hpp"
+#include <scenes/luma.hpp>
 
 namespace finback::cli {
 namespace {

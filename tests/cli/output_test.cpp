@@ -2,12 +2,12 @@
 #include <gmock/gmock.h>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <scenes/luma.hpp>
 #include <set>
 
 #include "../report/schema_check.hpp"
 #include "program.hpp"
 #include <common/file.hpp>
+#include <scenes/luma.hpp>
 
 namespace finback::cli {
 namespace {
@@ -180,6 +180,15 @@ TEST_F(Output, ReplacesThatOfAnEarlierRun) {
   ASSERT_EQ(finback(run).exit_code, 0);
   EXPECT_EQ(result("o")["schema_version"], 1);
   EXPECT_EQ(files(), (std::vector<std::string>{"main.bir", "o", "o/result.json"}));
+}
+
+TEST_F(Output, LeavesNoMapsOfALongerRun) {
+  for (const char* frames : {"3", "1"}) {
+    const Finished finished =
+        finback({"run", "--scene", "synthetic", "--frames", frames, "--out", "o"});
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  }
+  EXPECT_EQ(files(), (std::vector<std::string>{"o", "o/disparity_0000.png", "o/result.json"}));
 }
 
 TEST_F(Output, OfHelpAndVersion) {
