@@ -21,6 +21,7 @@ int parse_and_run(int argc, char** argv) {
   Action action;
   add_run_command(app, action);
   add_machine_command(app, action);
+  add_isa_command(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
