@@ -1,6 +1,7 @@
 // BIR text -> program, and the exact place and wording of what cannot be read.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <random>
 #include <tests/ir/support.hpp>
 
 #include <isa_sim/ir/printer.hpp>
@@ -245,6 +246,38 @@ TEST(ParserErrors, Data) {
             "a.bir:3:12: unknown escape \\q in this string");
   EXPECT_EQ(parse_error(".data\n_x: .ascii \"\\777\""),
             "a.bir:3:12: a \\ escape in this string is no byte");
+}
+
+// Damage at random places: whatever stands there, the text is read or refused, never more.
+TEST(ParserErrors, DamagedTextIsReadOrRefused) {
+  static constexpr std::string_view kDamage = "{}[]();:|.,\"'\\#/*-+=@0x9RP_\n\xff";
+  const std::string whole = std::string(".bir 1\n") + kExample;
+  std::mt19937 random(7);
+  int refused = 0;
+  for (int round = 0; round < 3000; ++round) {
+    std::string text = whole;
+    for (std::size_t changes = 1 + random() % 3; changes > 0; --changes) {
+      const std::size_t at = random() % text.size();
+      switch (random() % 3) {
+        case 0:
+          text[at] = kDamage[random() % kDamage.size()];
+          break;
+        case 1:
+          text.erase(at, 1 + random() % 20);
+          break;
+        default:
+          text.resize(at + 1);
+      }
+    }
+    const std::string error = error_of([&] {
+      const Program p = parse(text, "a.bir");
+      (void)problems(p, isa::instruction_syntax());
+      (void)print(p);
+    });
+    EXPECT_TRUE(error.empty() || error.starts_with("a.bir:")) << error << "\n" << text;
+    refused += error.empty() ? 0 : 1;
+  }
+  EXPECT_GT(refused, 1000);
 }
 
 }  // namespace
