@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <scenes/luma.hpp>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
 #include <common/error.hpp>
 #include <common/file.hpp>
+#include <scenes/luma.hpp>
 
 namespace finback::scenes {
 

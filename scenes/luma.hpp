@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+
 #include <scenes/image.hpp>
 
 namespace finback::scenes {

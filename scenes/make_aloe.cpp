@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
-#include <scenes/luma.hpp>
 
 #include <common/error.hpp>
+#include <scenes/luma.hpp>
 
 namespace {
 

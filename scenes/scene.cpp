@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <scenes/luma.hpp>
-#include <scenes/scene.hpp>
 #include <utility>
 
 #include <common/error.hpp>
+#include <scenes/luma.hpp>
+#include <scenes/scene.hpp>
 
 namespace finback::scenes {
 

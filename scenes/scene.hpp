@@ -7,9 +7,10 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <scenes/image.hpp>
 #include <string>
 #include <vector>
+
+#include <scenes/image.hpp>
 
 namespace finback::scenes {
 

@@ -1,4 +1,5 @@
 #include <array>
+
 #include <scenes/luma.hpp>
 #include <scenes/scene.hpp>
 

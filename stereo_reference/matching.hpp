@@ -17,6 +17,7 @@
 #pragma once
 
 #include <cstdint>
+
 #include <scenes/image.hpp>
 
 namespace finback::stereo_reference {

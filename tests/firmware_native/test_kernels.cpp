@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <random>
+
 #include <scenes/luma.hpp>
 #include <scenes/scene.hpp>
-
 #include <stereo_reference/matching.hpp>
 
 extern "C" {

@@ -4,10 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <iterator>
-#include <scenes/luma.hpp>
 #include <string>
 
 #include <common/error.hpp>
+#include <scenes/luma.hpp>
 
 namespace finback::scenes {
 namespace {

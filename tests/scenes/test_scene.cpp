@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
-#include <scenes/luma.hpp>
-#include <scenes/scene.hpp>
 
 #include <common/error.hpp>
+#include <scenes/luma.hpp>
+#include <scenes/scene.hpp>
 #include <stereo_reference/evaluation.hpp>
 
 namespace finback::scenes {

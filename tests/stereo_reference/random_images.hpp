@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <random>
+
 #include <scenes/image.hpp>
 
 namespace finback::test {

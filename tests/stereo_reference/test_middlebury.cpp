@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <scenes/luma.hpp>
 #include <string>
 
+#include <scenes/luma.hpp>
 #include <stereo_reference/evaluation.hpp>
 
 namespace finback::stereo_reference {
