@@ -10,7 +10,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <scenes/scene.hpp>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include <isa_sim/machine/machine_description.hpp>
 #include <power_model/power_parameters.hpp>
 #include <report/run_result.hpp>
+#include <scenes/scene.hpp>
 
 namespace finback::cli {
 
