@@ -98,10 +98,10 @@ void remove_maps_from(const std::filesystem::path& folder, std::size_t frame) {
 }
 
 int run(const Options& options) {
+  catch_interrupts();  // first: from here on a Ctrl-C ends in the destructors below
   const RunInputs inputs = load_inputs(options);
   OutputFolder folder(options.out);
 
-  catch_interrupts();
   ProgressBar bar(options.frames, inputs.machine->clock.cclk_mhz * 1e6);
   RunObserver observer;
   observer.cancelled = [&bar](Cycles now, std::uint32_t frames_done) {
