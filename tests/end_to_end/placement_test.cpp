@@ -12,9 +12,7 @@ Bytes level_bytes(const report::RunResult& result, const std::string& level,
   const auto write = result.counters.find("traffic." + level + "." + initiator + ".write.bytes");
   return read->second + write->second;
 }
-Cycles core_cycles(const report::RunResult& result) {
-  return result.counters.at("core_b.cycles");
-}
+Cycles core_cycles(const report::RunResult& result) { return result.counters.at("core_b.cycles"); }
 
 TEST(Placement, MovingABufferChangesCyclesAndTrafficButNoMap) {
   const cli::RunOutcome before = cli::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene()));
