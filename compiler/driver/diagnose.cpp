@@ -1,5 +1,6 @@
 #include "diagnose.hpp"
 
+#include <llvm/IR/CFG.h>
 #include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/Instructions.h>
@@ -74,6 +75,15 @@ std::string problem_of(const Instruction& inst) {
   return "";
 }
 
+/// The instruction's place; where all jumps of a kind share one, that of a jump to it.
+DebugLoc location_of(const Instruction& inst) {
+  DebugLoc loc = inst.getDebugLoc();
+  for (const BasicBlock* before : predecessors(inst.getParent()))
+    if (!loc)
+      loc = before->getTerminator()->getDebugLoc();
+  return loc;
+}
+
 std::string place(const Function& function, const DebugLoc& loc, const std::string& input) {
   if (loc && loc.getLine() != 0)
     return (loc->getFilename() + ":" + Twine(loc.getLine()) + ":" + Twine(loc.getCol())).str();
@@ -97,7 +107,7 @@ std::vector<std::string> unsupported_constructs(const Module& module, const std:
         (!function.arg_empty() || !function.getReturnType()->isVoidTy()))
       add(start, "an interrupt handler takes no arguments and returns nothing");
     for (const Instruction& inst : instructions(function))
-      add(place(function, inst.getDebugLoc(), input), problem_of(inst));
+      add(place(function, location_of(inst), input), problem_of(inst));
   }
   for (const GlobalVariable& global : module.globals())
     if (global.isThreadLocal())

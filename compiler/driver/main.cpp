@@ -93,7 +93,9 @@ int run(const Options& options, const char* argv0) {
     try {
       code = std::max(code, compile_file(input, output, options, headers));
     } catch (const std::exception& error) {
-      fmt::print(stderr, "{}:1:1: error: {}\n", input, error.what());
+      const std::string what = error.what();
+      const bool placed = what.find(": error: ") != std::string::npos;
+      fmt::print(stderr, "{}{}\n", placed ? "" : input + ":1:1: error: ", what);
       code = kBadInput;
     }
   }

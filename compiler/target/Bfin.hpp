@@ -24,6 +24,8 @@ FunctionPass* createBfinISelDag(BfinTargetMachine& machine, CodeGenOptLevel leve
 FunctionPass* createBfinHardwareLoops();
 /// Gives every virtual register its bank, data or pointer, where the copies cost least.
 FunctionPass* createBfinBankSelect();
+/// Spares the zero before each count of ones in a loop.
+FunctionPass* createBfinKeptHalves();
 /// After allocation and layout: writes LSETUP and its labels.
 FunctionPass* createBfinLoopLayout();
 /// After allocation: the final order of each block, in packets.

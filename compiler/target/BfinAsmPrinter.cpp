@@ -36,6 +36,7 @@ class BfinAsmPrinter : public AsmPrinter {
   BirStreamer& bir() { return static_cast<BirStreamer&>(*OutStreamer); }
   void write(const Twine& line) { OutStreamer->emitRawText(line); }
   void write_name(const GlobalValue& global, const MCSymbol& symbol, StringRef type, Align align);
+  void add_file(StringRef path);
   void write_location(const MachineInstr& inst);
   MCInst lower(const MachineInstr& inst);
   MCOperand lower_operand(const MachineOperand& operand);
@@ -46,16 +47,22 @@ class BfinAsmPrinter : public AsmPrinter {
 
 std::string path_of(const DILocation& location) { return location.getFilename().str(); }
 
+void BfinAsmPrinter::add_file(StringRef path) {
+  auto [entry, added] = files_.try_emplace(path.str(), files_.size() + 1);
+  if (added)
+    write(".file " + Twine(entry->second) + " \"" + entry->first + "\"");
+}
+
 void BfinAsmPrinter::emitStartOfAsmFile(Module& module) {
   write(".bir 1");
+  // The C file itself first, then the headers that left code in it.
+  for (const DICompileUnit* unit : module.debug_compile_units())
+    add_file(unit->getFilename());
   for (const Function& function : module)
     for (const BasicBlock& block : function)
       for (const Instruction& inst : block)
-        if (const DILocation* location = inst.getDebugLoc().get()) {
-          auto [entry, added] = files_.try_emplace(path_of(*location), files_.size() + 1);
-          if (added)
-            write(".file " + Twine(entry->second) + " \"" + entry->first + "\"");
-        }
+        if (const DILocation* location = inst.getDebugLoc().get())
+          add_file(location->getFilename());
 }
 
 void BfinAsmPrinter::write_name(const GlobalValue& global, const MCSymbol& symbol, StringRef type,

@@ -4,6 +4,7 @@
 #include <llvm/CodeGen/MachineInstrBuilder.h>
 #include <llvm/CodeGen/MachineRegisterInfo.h>
 #include <llvm/CodeGen/RegisterScavenging.h>
+#include <llvm/IR/DebugInfoMetadata.h>
 
 #include "BfinInstrInfo.hpp"
 #include "BfinMachineFunctionInfo.hpp"
@@ -188,6 +189,12 @@ static void clear_lengths(MachineBasicBlock& block, MachineBasicBlock::iterator 
     BuildMI(block, at, DebugLoc(), tii.get(Bfin::MOV), reg).addReg(Bfin::R3);
 }
 
+/// "file:line:1: " of the function; empty without debug information.
+static std::string place_of(const Function& function) {
+  const DISubprogram* sub = function.getSubprogram();
+  return sub == nullptr ? "" : (sub->getFilename() + ":" + Twine(sub->getLine()) + ":1: ").str();
+}
+
 void BfinFrameLowering::emitPrologue(MachineFunction& function, MachineBasicBlock& block) const {
   const auto& tii = *function.getSubtarget<BfinSubtarget>().getInstrInfo();
   auto at = block.begin();
@@ -207,7 +214,8 @@ void BfinFrameLowering::emitPrologue(MachineFunction& function, MachineBasicBloc
     return;
   }
   if (locals > kMostLinked)
-    report_fatal_error("the stack frame of " + function.getName() + " takes " + Twine(locals) +
+    report_fatal_error(place_of(function.getFunction()) + "error: the stack frame of " +
+                       function.getName() + " takes " + Twine(locals) +
                        " bytes; LINK makes at most " + Twine(kMostLinked));
   BuildMI(block, at, DebugLoc(), tii.get(Bfin::LINK))
       .addImm(locals)

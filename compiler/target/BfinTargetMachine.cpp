@@ -70,6 +70,7 @@ class BfinPassConfig : public TargetPassConfig {
   void addMachineSSAOptimization() override {
     addPass(createBfinHardwareLoops());
     addPass(createBfinBankSelect());
+    addPass(createBfinKeptHalves());
     TargetPassConfig::addMachineSSAOptimization();
   }
 

@@ -15,6 +15,7 @@ namespace {
 using namespace finback;
 
 constexpr Cycles kCycleLimit = 400'000'000;
+constexpr std::uint32_t kStackSize = 96 * 1024;
 
 ir::Firmware link_together(int count, char** files) {
   ir::Firmware firmware = ir::bare_firmware(ir::load_program(files[0]));
@@ -22,6 +23,9 @@ ir::Firmware link_together(int count, char** files) {
     firmware.units.cores[0].units.push_back(
         std::make_shared<const ir::Program>(ir::load_program(files[i])));
   }
+  // Some of the programs have frames that the scratchpad does not hold.
+  firmware.placement.of(ir::Owner::core_a).stack_region = "l2";
+  firmware.placement.of(ir::Owner::core_a).stack_size = kStackSize;
   return firmware;
 }
 

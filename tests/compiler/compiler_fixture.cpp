@@ -1,0 +1,93 @@
+#include "compiler_fixture.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <sys/wait.h>
+
+namespace finback::compiler {
+
+namespace fs = std::filesystem;
+
+CompilerTest::CompilerTest() {
+  std::string pattern = (fs::temp_directory_path() / "finback-cc-XXXXXX").string();
+  folder_ = mkdtemp(pattern.data());
+}
+
+CompilerTest::~CompilerTest() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+static std::string contents(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Finished CompilerTest::run(const std::vector<std::string>& command) const {
+  std::string line = "cd '" + folder_.string() + "' && ";
+  for (const std::string& word : command)
+    line += "'" + word + "' ";
+  line += "> stdout.txt 2> stderr.txt";
+  int status = std::system(line.c_str());
+  Finished finished;
+  finished.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  finished.out = contents(folder_ / "stdout.txt");
+  finished.err = contents(folder_ / "stderr.txt");
+  return finished;
+}
+
+Finished CompilerTest::cc(std::vector<std::string> arguments) const {
+  arguments.insert(arguments.begin(), FINBACK_CC);
+  return run(arguments);
+}
+
+void CompilerTest::write(const std::string& name, std::string_view text) const {
+  std::ofstream(folder_ / name, std::ios::binary) << text;
+}
+
+std::string CompilerTest::read(const std::string& name) const { return contents(folder_ / name); }
+
+std::string CompilerTest::compile(std::string_view text,
+                                  const std::vector<std::string>& options) const {
+  write("unit.c", text);
+  std::vector<std::string> arguments = {"-O2", "--verify", "-o", "unit.bir", "unit.c"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  Finished finished = cc(arguments);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  return read("unit.bir");
+}
+
+Finished CompilerTest::execute(const std::string& source_path, const std::string& level) const {
+  std::vector<std::string> command = {FINBACK_BIR_RUN, "program.bir"};
+  Finished finished =
+      cc({"-O" + level, "--verify", "-W", "no-everything", "-o", "program.bir", source_path});
+  if (finished.exit_code != 0)
+    return finished;
+  const std::string runtime = std::string(FINBACK_SOURCE_DIR) + "/firmware/";
+  for (const char* unit : {"memory", "divide"}) {
+    finished = cc({"-O2", "-I", runtime + "include", "-o", std::string(unit) + ".bir",
+                   runtime + "runtime/" + unit + ".c"});
+    if (finished.exit_code != 0)
+      return finished;
+    command.push_back(std::string(unit) + ".bir");
+  }
+  return run(command);
+}
+
+std::string function_of(const std::string& bir, const std::string& name) {
+  size_t begin = bir.find("\n_" + name + ":");
+  size_t end = bir.find(".size _" + name + ",", begin);
+  return begin == std::string::npos ? "" : bir.substr(begin, end - begin);
+}
+
+int count(std::string_view text, std::string_view what) {
+  int found = 0;
+  for (size_t at = text.find(what); at != std::string_view::npos; at = text.find(what, at + 1))
+    ++found;
+  return found;
+}
+
+}  // namespace finback::compiler

@@ -1,0 +1,69 @@
+// What cannot be compiled is said at its line, in clang's form, with exit code 2 and nothing
+// written.
+#include "compiler_fixture.hpp"
+
+namespace finback::compiler {
+namespace {
+
+struct Case {
+  const char* name;
+  const char* source;
+  const char* message;  // how stderr must contain it
+};
+
+constexpr Case kCases[] = {
+    {"Syntax", "int f(void) {\n  return 1 +;\n}\n", "bad.c:2:13: error: expected expression"},
+    {"UnknownName", "int f(void) { return x; }\n",
+     "bad.c:1:22: error: use of undeclared identifier"},
+    {"FloatAdd", "float f(float a) {\n  return a + 1;\n}\n",
+     "bad.c:2:12: error: floating-point arithmetic is not supported"},
+    {"DoubleCompare", "int f(double a) {\n  return a < 2;\n}\n",
+     "bad.c:2:12: error: floating-point arithmetic"},
+    {"IntToFloat", "float f(int a) {\n  return a;\n}\n",
+     "bad.c:2:10: error: floating-point arithmetic"},
+    {"InlineAssembly", "void f(void) {\n  __asm__ volatile(\"nop\");\n}\n",
+     "bad.c:2:3: error: inline assembly is not supported"},
+    {"FileAssembly", "__asm__(\"nop\");\n", "error: assembly outside functions is not supported"},
+    {"Atomic", "int f(int *p) {\n  return __atomic_fetch_add(p, 1, __ATOMIC_SEQ_CST);\n}\n",
+     "bad.c:2:10: error: atomic read-modify-write is not supported"},
+    {"Vector",
+     "typedef int v4 __attribute__((vector_size(16)));\nv4 f(v4 a) {\n  return a + a;\n}\n",
+     "error: vector types are not supported"},
+    {"ComputedGoto",
+     "int f(int n) {\n  static void *to[] = {&&a, &&b};\n  goto *to[n];\na:\n  return 1;\nb:\n  "
+     "return 2;\n}\n",
+     "bad.c:3:3: error: computed goto is not supported"},
+    {"ThreadLocal", "_Thread_local int x;\n", "is not supported"},
+    {"AlignedLocal",
+     "void g(int *);\nvoid f(void) {\n  int a[4] __attribute__((aligned(32)));\n  g(a);\n}\n",
+     "error: a local variable cannot be aligned to more than 4 bytes"},
+    {"RaiseByVariable",
+     "#include <finback/blackfin.h>\nvoid f(unsigned n) {\n  __builtin_bfin_raise(n);\n}\n",
+     "bad.c:3:3: error: the argument of __builtin_bfin_raise must be a constant"},
+    {"UnknownInstruction",
+     "void __builtin_bfin_fly(void);\nvoid f(void) {\n  __builtin_bfin_fly();\n}\n",
+     "bad.c:3:3: error: there is no instruction behind __builtin_bfin_fly"},
+    {"HandlerWithArgument",
+     "#include <finback/blackfin.h>\nFINBACK_INTERRUPT void f(int n) { (void)n; }\n",
+     "error: an interrupt handler takes no arguments"},
+    {"EnormousFrame", "void g(char *);\nvoid f(void) {\n  char a[300000];\n  g(a);\n}\n",
+     "bad.c:2:1: error: the stack frame of"},
+};
+
+class Diagnostics : public CompilerTest, public ::testing::WithParamInterface<Case> {};
+
+TEST_P(Diagnostics, NamesTheLine) {
+  write("bad.c", GetParam().source);
+  for (const char* level : {"-O0", "-O2"}) {
+    const Finished finished = cc({level, "-o", "bad.bir", "bad.c"});
+    EXPECT_EQ(finished.exit_code, 2) << level;
+    EXPECT_NE(finished.err.find(GetParam().message), std::string::npos) << finished.err;
+    EXPECT_FALSE(std::filesystem::exists(folder() / "bad.bir"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Diagnostics, ::testing::ValuesIn(kCases),
+                         [](const auto& one) { return one.param.name; });
+
+}  // namespace
+}  // namespace finback::compiler

@@ -1,0 +1,45 @@
+// Every program of programs/, compiled by the host's compiler and by finback-cc at several levels,
+// prints the same.
+#include <algorithm>
+
+#include "compiler_fixture.hpp"
+
+namespace finback::compiler {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> all_programs() {
+  std::vector<std::string> names;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(FINBACK_SOURCE_DIR) / "tests/compiler/programs"))
+    if (entry.path().extension() == ".c")
+      names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class Differential : public CompilerTest, public ::testing::WithParamInterface<std::string> {};
+
+TEST_P(Differential, PrintsWhatTheHostPrints) {
+  const std::string source =
+      std::string(FINBACK_SOURCE_DIR) + "/tests/compiler/programs/" + GetParam() + ".c";
+  const Finished built = run({FINBACK_HOST_CC, "-w", "-O1", "-o", "host", source});
+  ASSERT_EQ(built.exit_code, 0) << built.err;
+  const Finished wanted = run({"./host"});
+  ASSERT_EQ(wanted.exit_code, 0);
+  ASSERT_FALSE(wanted.out.empty());
+  for (const char* level : {"0", "1", "2", "3", "s"}) {
+    const Finished got = execute(source, level);
+    EXPECT_EQ(got.exit_code, 0) << "-O" << level << ": " << got.err;
+    EXPECT_EQ(got.out, wanted.out) << "-O" << level;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, Differential, ::testing::ValuesIn(all_programs()),
+                         [](const auto& program) { return program.param; });
+
+TEST(DifferentialPrograms, AreAtLeastForty) { EXPECT_GE(all_programs().size(), 40U); }
+
+}  // namespace
+}  // namespace finback::compiler

@@ -1,0 +1,103 @@
+// That the machine's strengths are used: hardware loops, stepping accesses, ONES, packets, banks.
+#include "compiler_fixture.hpp"
+
+namespace finback::compiler {
+namespace {
+
+class Quality : public CompilerTest {};
+
+TEST_F(Quality, CopyLoopIsAHardwareLoopOfTwoInstructions) {
+  const std::string body =
+      function_of(compile("void copy(unsigned *d, const unsigned *s, int n) {\n"
+                          "  for (int i = 0; i < n; i++) d[i] = s[i];\n}\n"),
+                  "copy");
+  EXPECT_EQ(count(body, "LSETUP"), 1) << body;
+  EXPECT_EQ(count(body, "++]"), 2) << body;
+}
+
+TEST_F(Quality, NestedLoopsUseBothCounters) {
+  const std::string body = function_of(
+      compile("int sum(const unsigned char m[20][30]) {\n  int s = 0;\n"
+              "  for (int i = 0; i < 20; i++)\n    for (int j = 0; j < 30; j++) s += m[i][j];\n"
+              "  return s;\n}\n"),
+      "sum");
+  EXPECT_EQ(count(body, "LC0 ="), 1) << body;
+  EXPECT_EQ(count(body, "LC1 ="), 1) << body;
+  EXPECT_EQ(count(body, "JUMP"), 0) << body;
+}
+
+TEST_F(Quality, LoopsWithCallsKeepOffTheCounters) {
+  const std::string body = function_of(
+      compile("void g(int);\nvoid f(int n) {\n  for (int i = 0; i < n; i++) g(i);\n}\n"), "f");
+  EXPECT_EQ(count(body, "LSETUP"), 0) << body;
+}
+
+TEST_F(Quality, DivisionInALoopIsACall) {
+  const std::string body = function_of(compile("void f(unsigned *p, int n, unsigned d) {\n  for "
+                                               "(int i = 0; i < n; i++) p[i] /= d;\n}\n"),
+                                       "f");
+  EXPECT_EQ(count(body, "LSETUP"), 0) << body;
+  EXPECT_EQ(count(body, "CALL ___udivsi3"), 1) << body;
+}
+
+TEST_F(Quality, PopcountIsOnesInAPacket) {
+  const std::string body = function_of(
+      compile("unsigned f(const unsigned short *a, const unsigned short *b, int n) {\n  unsigned s "
+              "= 0;\n"
+              "  while (n--) s += (unsigned)__builtin_popcount(*a++ ^ *b++);\n  return s;\n}\n"),
+      "f");
+  EXPECT_EQ(count(body, "ONES"), 1) << body;
+  EXPECT_EQ(count(body, "LSETUP"), 1) << body;
+  const std::string loop = body.substr(body.find("LSETUP"));
+  EXPECT_EQ(count(loop.substr(0, loop.find("RTS")), " = 0 (X)"), 0) << "one zero serves all\n"
+                                                                    << body;
+}
+
+TEST_F(Quality, ArithmeticSharesPacketsWithAccesses) {
+  const std::string body = function_of(
+      compile(
+          "void f(short *restrict d, const short *restrict a, const short *restrict b, int n) {\n"
+          "  for (int i = 0; i < n; i++) d[i] = (short)(a[i] + b[i] + 3 * d[i]);\n}\n"),
+      "f");
+  EXPECT_GE(count(body, "||"), 2) << body;
+}
+
+TEST_F(Quality, ShortProductsTakeOneCycle) {
+  const std::string body =
+      function_of(compile("int dot(const short *a, const short *b, int n) {\n  int s = 0;\n"
+                          "  while (n--) s += *a++ * *b++;\n  return s;\n}\n"),
+                  "dot");
+  EXPECT_EQ(count(body, "(IS)"), 1) << body;
+  EXPECT_EQ(count(body, "*="), 0) << body;
+}
+
+TEST_F(Quality, AddressesAreComputedInPointerRegisters) {
+  const std::string body =
+      function_of(compile("extern int *rows[];\nint f(int n) { return rows[n][3]; }\n"), "f");
+  EXPECT_EQ(count(body, "<< 2)"), 1) << body;
+  EXPECT_NE(body.find("+ 12]"), std::string::npos) << body;
+}
+
+TEST_F(Quality, SelectionIsAPredicatedMove) {
+  const std::string body =
+      function_of(compile("unsigned f(unsigned a, unsigned b) { return a < b ? a : b; }\n"), "f");
+  EXPECT_EQ(count(body, "IF "), 1) << body;
+  EXPECT_EQ(count(body, "JUMP"), 0) << body;
+}
+
+TEST_F(Quality, LeavesNeedNoFrame) {
+  const std::string body =
+      function_of(compile("int f(int a, int b, int c, int d) { return a + b * c - d; }\n"), "f");
+  EXPECT_EQ(count(body, "LINK"), 0) << body;
+  EXPECT_EQ(count(body, "[--SP]"), 0) << body;
+}
+
+TEST_F(Quality, LikelyBranchesArePredicted) {
+  const std::string body = function_of(
+      compile("int f(const char *p) {\n  int n = 0;\n  while (p[n] != 7) n++;\n  return n;\n}\n"),
+      "f");
+  EXPECT_EQ(count(body, "(BP)"), 1) << body;
+}
+
+}  // namespace
+}  // namespace finback::compiler
