@@ -17,8 +17,8 @@
 #include <vector>
 
 #include <common/counters.hpp>
+#include <common/memory_window.hpp>
 #include <common/units.hpp>
-#include <isa_sim/isa/operation.hpp>
 #include <memory_model/clock_parameters.hpp>
 #include <memory_model/l2_timing.hpp>
 #include <memory_model/memory_map.hpp>
@@ -51,7 +51,7 @@ struct Span {
   std::uint32_t region = 0;   // index into MemoryMap::regions
   std::uint32_t object = 0;   // index into MemorySystem::objects()
   TrafficTable traffic{};
-  isa::MemoryWindow window;  // L1 only; its counts are core `core`'s direct accesses
+  MemoryWindow window;  // L1 only; its counts are core `core`'s direct accesses
 
   [[nodiscard]] bool contains(Address address) const { return address - base < size; }
   [[nodiscard]] std::uint8_t* at(Address address) const { return bytes + (address - base); }
@@ -104,7 +104,7 @@ class MemorySystem {
   }
   // The window for direct access to an own-L1 span; its counts join the traffic. nullptr for the
   // other levels.
-  [[nodiscard]] static isa::MemoryWindow* window(int core, Span* span) {
+  [[nodiscard]] static MemoryWindow* window(int core, Span* span) {
     return span->level == Level::l1 && span->core == core ? &span->window : nullptr;
   }
   // Stall of fetching the next 8 bytes of code from `level`, without contention; 0 for L1.

@@ -73,8 +73,8 @@ const Operation* leave_block(isa::ExecutionState&, const Operation*) { return nu
 
 }  // namespace
 
-isa::MemoryWindow* no_window() {
-  static isa::MemoryWindow window;
+MemoryWindow* no_window() {
+  static MemoryWindow window;
   return &window;
 }
 

@@ -55,6 +55,6 @@ class BlockBuilder {
 };
 
 // A window that no access hits: where every access site starts.
-[[nodiscard]] isa::MemoryWindow* no_window();
+[[nodiscard]] MemoryWindow* no_window();
 
 }  // namespace finback::core

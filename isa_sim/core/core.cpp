@@ -28,7 +28,7 @@ struct Core::Hooks {
     if (span == nullptr || (address & static_cast<Address>(bytes - 1)) != 0) {
       c.fault(o, c.memory_.core_fault(c.number_, address, bytes, write));
     }
-    if (isa::MemoryWindow* window = memory::MemorySystem::window(c.number_, span)) {
+    if (MemoryWindow* window = memory::MemorySystem::window(c.number_, span)) {
       o.window = window;
       ++(write ? window->writes : window->reads)[static_cast<std::size_t>(bytes / 2)];
       return span->at(address);

@@ -75,7 +75,7 @@ TEST_F(MemorySystemTest, TrafficIsCountedByObject) {
   build();
   dma(Direction::read, 0x1000, 20, 0);  // 16 words of a, 4 of b
   const Cycles stall = read(1, 0x1044, 1000);
-  isa::MemoryWindow* window = MemorySystem::window(0, span(0, kL1A));
+  MemoryWindow* window = MemorySystem::window(0, span(0, kL1A));
   window->reads = {3, 5, 7};
   window->writes = {1, 0, 0};
 
