@@ -56,6 +56,12 @@ class BfinPassConfig : public TargetPassConfig {
 
   BfinTargetMachine& machine() const { return getTM<BfinTargetMachine>(); }
 
+  void addCodeGenPrepare() override {
+    // Bytes that live across blocks are widened once, where they are loaded.
+    addPass(createTypePromotionLegacyPass());
+    TargetPassConfig::addCodeGenPrepare();
+  }
+
   bool addPreISel() override {
     if (getOptLevel() != CodeGenOptLevel::None)
       addPass(createHardwareLoopsLegacyPass());
