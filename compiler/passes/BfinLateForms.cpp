@@ -58,7 +58,7 @@ bool BfinLateForms::runOnMachineFunction(MachineFunction& function) {
       }
       if (inst.getOpcode() != Bfin::JCC && inst.getOpcode() != Bfin::JNCC)
         continue;
-      // Taken saves 4 when predicted, falling through 8: predict taken above one half.
+      // With p the share of taken ones: 5p + 9(1-p) predicted, 9p + (1-p) not; equal at two thirds.
       BranchProbability taken =
           probabilities.getEdgeProbability(&block, inst.getOperand(0).getMBB());
       inst.getOperand(1).setImm(taken > BranchProbability(2, 3) ? 1 : 0);

@@ -140,9 +140,12 @@ void BfinLoopLayout::place_setup(HardwareLoop& loop) {
       outer.blocks.insert(block);
 }
 
+/// Not what changes the flow, synchronises, or writes a loop register.
 bool may_end_loop(const MachineInstr& inst) {
+  if (inst.getOpcode() == Bfin::MOV)
+    return Bfin::DPRegClass.contains(inst.getOperand(0).getReg());
   return !inst.isMetaInstruction() && !inst.isCall() && !inst.isBranch() &&
-         !inst.hasUnmodeledSideEffects() && inst.getOpcode() != Bfin::MOV;
+         !inst.hasUnmodeledSideEffects();
 }
 
 /// The last instruction of the latch; a NOP where there is none that may end a loop.

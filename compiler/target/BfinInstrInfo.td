@@ -234,7 +234,6 @@ def SUBNS : DspBinary<"$rd = $ra - $rb (NS)", []>;
 // The count lands in the low half; the high half keeps what it held.
 let Constraints = "$old = $rd", ReadsEarly = true in {
   def ONES : Dsp<(outs D:$rd), (ins D:$old, D:$ra), "${rd}.L = ONES $ra">;
-  def SIGNBITS : Dsp<(outs D:$rd), (ins D:$old, D:$ra), "${rd}.L = SIGNBITS $ra">;
 }
 def : Pat<(ctpop D:$ra), (ONES (MOVI 0), D:$ra)>;
 
@@ -353,4 +352,3 @@ let hasSideEffects = true, mayLoad = true, mayStore = true in {
   let Defs = [CC] in
   def TESTSET : BfinInst<2, (outs), (ins P:$at), "TESTSET ($at)", [(bfin_testset P:$at)]>;
 }
-def MNOP : BfinInst<4, (outs), (ins), "MNOP">;
