@@ -44,8 +44,6 @@ void initialize_llvm(const Options& options) {
   std::vector<const char*> arguments = {"finback-cc"};
   if (options.verify)
     arguments.push_back("-verify-machineinstrs");
-  if (const char* extra = std::getenv("FINBACK_CC_LLVM"))
-    arguments.push_back(extra);
   llvm::cl::ParseCommandLineOptions(static_cast<int>(arguments.size()), arguments.data());
 }
 
