@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <memory>
 
 #include <cli/commands.hpp>
 #include <isa_sim/machine/machine_description.hpp>
@@ -8,10 +9,8 @@ namespace finback::cli {
 
 namespace {
 
-int print_parameters() {
-  fmt::print("{}", machine::parameters_as_markdown());
+int print_power_parameters() {
   fmt::print(
-      "\nThe power model's, for `finback run --power FILE`:\n\n"
       "| name | unit | default | range | certainty | source | meaning |\n"
       "|---|---|---|---|---|---|---|\n");
   const power::PowerParameters power;
@@ -23,13 +22,22 @@ int print_parameters() {
   return kFine;
 }
 
+int print_machine_parameters() {
+  fmt::print("{}", machine::parameters_as_markdown());
+  return kFine;
+}
+
 }  // namespace
 
 void add_machine_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "machine", "Print every parameter of the machine: unit, default, range, source");
-  command->footer("Example:\n  finback machine | less\nTo change some, see docs/machine-file.md.");
-  command->callback([&action] { action = print_parameters; });
+  auto power = std::make_shared<bool>(false);
+  command->add_flag("--power", *power, "Print the power model's parameters instead");
+  command->footer(
+      "Example:\n  finback machine | less\nTo change some: docs/machine-file.md, docs/power.md.");
+  command->callback(
+      [&action, power] { action = *power ? print_power_parameters : print_machine_parameters; });
 }
 
 }  // namespace finback::cli

@@ -205,6 +205,15 @@ TEST_F(Output, OfMachineListsParameters) {
   EXPECT_EQ(finished.exit_code, 0);
   EXPECT_THAT(finished.out, HasSubstr("memory.l2.read_cycles"));
   EXPECT_THAT(finished.out, HasSubstr("clock.cclk_mhz"));
+  const Finished power = finback({"machine", "--power"});
+  EXPECT_EQ(power.exit_code, 0);
+  EXPECT_THAT(power.out, HasSubstr("junction_celsius"));
+}
+
+TEST_F(Output, OfIsaListsInstructions) {
+  const Finished finished = finback({"isa"});
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_THAT(finished.out, HasSubstr("| `Dl = ONES D` | 4 | dsp | 1 |"));
 }
 
 }  // namespace
