@@ -32,7 +32,8 @@ class BfinDAGToDAGISel : public SelectionDAGISel {
     };
     if (CurDAG->isBaseWithConstantOffset(address)) {
       int64_t offset = cast<ConstantSDNode>(address.getOperand(1))->getSExtValue();
-      if (offset % Size == 0 && offset >= -32767 * Size && offset <= 32767 * Size)
+      constexpr int64_t kReach = int64_t{32767} * Size;
+      if (offset % Size == 0 && offset >= -kReach && offset <= kReach)
         return set(address.getOperand(0), offset);
     }
     return set(address, 0);

@@ -11,10 +11,10 @@ using TTI = TargetTransformInfo;
 InstructionCost BfinTTIImpl::getIntImmCost(const APInt& value, Type* type,
                                            TTI::TargetCostKind) const {
   if (!type->isIntegerTy() || value.getBitWidth() > 32)
-    return 2 * TTI::TCC_Basic;
+    return InstructionCost(TTI::TCC_Basic) * 2;
   int64_t number = value.getSExtValue();
   bool one_instruction = isInt<16>(number) || isUInt<16>(number & 0xffffffff);
-  return (one_instruction ? 1 : 2) * TTI::TCC_Basic;
+  return InstructionCost(TTI::TCC_Basic) * (one_instruction ? 1 : 2);
 }
 
 InstructionCost BfinTTIImpl::getIntImmCostInst(unsigned opcode, unsigned index, const APInt& value,
