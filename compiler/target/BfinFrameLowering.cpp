@@ -233,9 +233,11 @@ void BfinFrameLowering::emitEpilogue(MachineFunction& function, MachineBasicBloc
   else
     step_stack(block, at, loc, tii, static_cast<int64_t>(local_bytes(function)),
                MachineInstr::FrameDestroy);
-  if (isInterruptHandler(function.getFunction()))
-    for (MCPhysReg reg : reverse(interrupt_registers(function)))
+  if (isInterruptHandler(function.getFunction())) {
+    auto regs = interrupt_registers(function);  // named: reverse() only refers to it
+    for (MCPhysReg reg : reverse(regs))
       BuildMI(block, at, loc, tii.get(Bfin::POP), reg).setMIFlag(MachineInstr::FrameDestroy);
+  }
 }
 
 StackOffset BfinFrameLowering::getFrameIndexReference(const MachineFunction& function, int index,
