@@ -56,9 +56,8 @@ class Parameter final : public ParameterBase {
       : ParameterBase(group, declaration, !std::is_floating_point_v<T>),
         value_(static_cast<T>(declaration.default_value)) {}
 
-  operator T() const {
-    return value_;
-  }  // NOLINT(google-explicit-constructor): reads like the number it is
+  // Not explicit: a parameter reads like the number that it is.
+  operator T() const { return value_; }
   [[nodiscard]] double value() const override { return static_cast<double>(value_); }
 
  private:

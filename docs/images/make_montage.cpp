@@ -4,6 +4,7 @@
 //     cmake --build build/release --target finback_montage
 //     build/release/bin/finback_montage aloe out/aloe/disparity_0000.png docs/images/aloe.png
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
@@ -30,7 +31,7 @@ cv::Mat coloured(const scenes::FloatImage& disparities) {
     for (int x = 0; x < grey.cols; ++x) {
       const float share = (disparities.at(x, y) - kDisparityMin) / (kDisparityMax - kDisparityMin);
       grey.at<std::uint8_t>(y, x) =
-          static_cast<std::uint8_t>(255 * std::clamp(share, 0.0F, 1.0F) + 0.5F);
+          static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0F, 1.0F)));
     }
   }
   cv::Mat colours;
