@@ -30,6 +30,7 @@ fs::path new_folder() {
 [[noreturn]] void become(const std::vector<std::string>& command, const fs::path& where,
                          const fs::path& out, const fs::path& err) {
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& word : command) {
     arguments.push_back(const_cast<char*>(word.c_str()));
   }

@@ -21,9 +21,11 @@ struct Finished {
                                    const std::filesystem::path& where, int interrupt_after_ms = -1);
 
 class ProgramTest : public ::testing::Test {
+ public:
+  ~ProgramTest() override;
+
  protected:
   ProgramTest();
-  ~ProgramTest() override;
 
   // Runs `finback` with these arguments in the test's folder.
   [[nodiscard]] Finished finback(std::vector<std::string> arguments,

@@ -96,8 +96,8 @@ class Generator {
   OperandValue make_operand(OperandKind kind) {
     const auto range = isa::immediate_range(kind);
     if (range && !isa::is_code_address(kind) && below(2) == 0) {
-      const auto steps =
-          static_cast<std::size_t>((range->maximum - range->minimum) / range->scale + 1);
+      const std::int32_t last = (range->maximum - range->minimum) / range->scale;
+      const std::size_t steps = static_cast<std::size_t>(last) + 1;
       return {range->minimum + static_cast<std::int32_t>(below(steps)) * range->scale, {}};
     }
     const std::vector<OperandValue> samples = isa::sample_values(kind);
