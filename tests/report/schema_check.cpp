@@ -103,7 +103,8 @@ class Checker {
     }
     const Json properties = schema.value("properties", Json::object());
     for (const auto& [key, member] : value.items()) {
-      const std::string inner = place + "/" + key;
+      std::string inner = place;
+      inner.append("/").append(key);
       if (properties.contains(key)) {
         check(properties[key], member, inner);
       } else if (schema.contains("additionalProperties")) {
