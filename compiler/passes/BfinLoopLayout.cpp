@@ -50,12 +50,12 @@ char BfinLoopLayout::ID = 0;
 
 std::set<MachineBasicBlock*> natural_loop(MachineBasicBlock* top, MachineBasicBlock* latch) {
   std::set<MachineBasicBlock*> blocks = {top};
-  std::vector<MachineBasicBlock*> todo = {latch};
-  while (!todo.empty()) {
-    MachineBasicBlock* block = todo.back();
-    todo.pop_back();
+  std::vector<MachineBasicBlock*> worklist = {latch};
+  while (!worklist.empty()) {
+    MachineBasicBlock* block = worklist.back();
+    worklist.pop_back();
     if (blocks.insert(block).second)
-      todo.insert(todo.end(), block->pred_begin(), block->pred_end());
+      worklist.insert(worklist.end(), block->pred_begin(), block->pred_end());
   }
   return blocks;
 }
