@@ -3,7 +3,7 @@
 // ratio (benchmarks/README.md).
 #include <benchmark/benchmark.h>
 
-#include <cli/run_firmware.hpp>
+#include <runner/run_firmware.hpp>
 #include <common/file.hpp>
 
 namespace {
@@ -12,9 +12,9 @@ using namespace finback;
 
 constexpr std::uint32_t kFrames = 2;
 
-cli::RunInputs camera_inputs(const std::string& firmware, const std::string& scene) {
-  cli::RunInputs inputs;
-  inputs.firmware = cli::find_firmware(firmware, std::nullopt);
+runner::RunInputs camera_inputs(const std::string& firmware, const std::string& scene) {
+  runner::RunInputs inputs;
+  inputs.firmware = runner::find_firmware(firmware, std::nullopt);
   inputs.machine = std::make_unique<machine::MachineDescription>();
   inputs.scene = scenes::load_scene(scene, share_folder() / "scenes");
   inputs.frames = kFrames;
@@ -23,11 +23,11 @@ cli::RunInputs camera_inputs(const std::string& firmware, const std::string& sce
 
 // A whole run, from linking to the gathered result; rates count both cores together.
 void simulate(benchmark::State& state, const std::string& firmware, const std::string& scene) {
-  const cli::RunInputs inputs = camera_inputs(firmware, scene);
+  const runner::RunInputs inputs = camera_inputs(firmware, scene);
   std::uint64_t instructions = 0;
   std::uint64_t cycles = 0;
   for (auto _ : state) {
-    const cli::RunOutcome outcome = cli::run_firmware(inputs);
+    const runner::RunOutcome outcome = runner::run_firmware(inputs);
     for (const report::Core& core : outcome.result.cores) {
       instructions += core.instructions;
       cycles += core.cycles;

@@ -2,15 +2,15 @@
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <runner/run_request.hpp>
 #include <system_error>
 
 #include <cli/commands.hpp>
 #include <cli/output_folder.hpp>
 #include <cli/progress.hpp>
-#include <cli/run_firmware.hpp>
+#include <cli/run_options.hpp>
 #include <common/error.hpp>
 #include <common/file.hpp>
-#include <power_model/power_file.hpp>
 #include <report/json_writer.hpp>
 #include <report/text_writer.hpp>
 #include <scenes/luma.hpp>
@@ -32,41 +32,11 @@ constexpr const char* kExamples =
     "Writes disparity_0000.png ... and result.json. More: docs/finback-run.md";
 
 struct Options {
-  std::string scene = "aloe";
-  std::string left;
-  std::string right;
-  std::uint32_t frames = 4;
-  std::string firmware = "mesvs2";
-  std::string machine;
-  std::string placement;
-  std::string power;
+  runner::RunRequest request;
   std::string out = "out";
   std::string trace_counters;
-  double max_seconds = 0;
   bool check = false;
 };
-
-RunInputs load_inputs(const Options& options) {
-  RunInputs inputs;
-  inputs.scene = options.left.empty() ? scenes::load_scene(options.scene, share_folder() / "scenes")
-                                      : scenes::load_scene_pair(options.left, options.right);
-  inputs.machine = options.machine.empty() ? std::make_unique<machine::MachineDescription>()
-                                           : machine::load_machine(options.machine);
-  inputs.firmware = find_firmware(options.firmware,
-                                  options.placement.empty()
-                                      ? std::nullopt
-                                      : std::optional<std::filesystem::path>(options.placement));
-  if (!options.power.empty()) {
-    power::load_power_parameters(options.power, *inputs.power);
-    inputs.power_name = std::filesystem::path(options.power).filename().string();
-  }
-  inputs.frames = options.frames;
-  // Two seconds a frame: ten times what the slowest of the camera's firmwares needs.
-  const double seconds =
-      options.max_seconds > 0 ? options.max_seconds : 2.0 * (options.frames + 1.0);
-  inputs.cycle_limit = static_cast<Cycles>(seconds * inputs.machine->clock.cclk_mhz * 1e6);
-  return inputs;
-}
 
 void write_map(const machine::PublishedMap& map, const std::filesystem::path& path) {
   scenes::ByteImage image(static_cast<int>(map.width), static_cast<int>(map.height));
@@ -86,7 +56,7 @@ std::string map_name(std::size_t frame) { return fmt::format("disparity_{:04}.pn
 
 // One counter a line, ordered by name: what differs shows in a diff.
 std::string trace_text(const report::RunResult& result) {
-  return nlohmann::json(trace_counters(result)).dump(1) + "\n";
+  return nlohmann::json(runner::trace_counters(result)).dump(1) + "\n";
 }
 
 // Maps of an earlier run with more frames would pass for this one's.
@@ -99,11 +69,11 @@ void remove_maps_from(const std::filesystem::path& folder, std::size_t frame) {
 
 int run(const Options& options) {
   catch_interrupts();  // first: from here on a Ctrl-C ends in the destructors below
-  const RunInputs inputs = load_inputs(options);
+  const runner::RunInputs inputs = runner::load_inputs(options.request);
   OutputFolder folder(options.out);
 
-  ProgressBar bar(options.frames, inputs.machine->clock.cclk_mhz * 1e6);
-  RunObserver observer;
+  ProgressBar bar(options.request.frames, inputs.machine->clock.cclk_mhz * 1e6);
+  runner::RunObserver observer;
   observer.cancelled = [&bar](Cycles now, std::uint32_t frames_done) {
     bar.show(now, frames_done);
     return interrupted();
@@ -112,7 +82,7 @@ int run(const Options& options) {
     bar.wipe();
     fmt::print(stderr, "firmware: {}\n", line);
   };
-  const RunOutcome outcome = run_firmware(inputs, observer);
+  const runner::RunOutcome outcome = runner::run_firmware(inputs, observer);
   bar.wipe();
   if (outcome.cancelled || interrupted()) {
     fmt::print(stderr, "finback: interrupted; nothing was written\n");
@@ -142,31 +112,8 @@ void add_run_command(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("run", "Run a firmware on a stereo pair: maps, cycles, traffic, power");
   command->footer(kExamples);
-  CLI::Option* left =
-      command->add_option("--left", options->left, "Left image, any size or colour");
-  CLI::Option* right = command->add_option("--right", options->right, "Right image, of equal size");
-  left->needs(right);
-  right->needs(left);
-  command->add_option("--scene", options->scene, "A scene with known truth: aloe or synthetic")
-      ->capture_default_str()
-      ->excludes(left)
-      ->excludes(right);
-  command->add_option("--frames", options->frames, "Frames to process; the pair is repeated")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 10000));
-  command
-      ->add_option("--firmware", options->firmware,
-                   "Installed firmware, or path of a folder, a firmware.toml or a .bir file")
-      ->capture_default_str();
-  command->add_option("--machine", options->machine, "Machine file (TOML) instead of the BF561");
-  command->add_option("--placement", options->placement,
-                      "Placement file (TOML) instead of the firmware's own");
-  command->add_option("--power", options->power, "Power file (TOML): other numbers for the watts");
+  add_run_options(*command, options->request);
   command->add_option("--out", options->out, "Folder for what is written")->capture_default_str();
-  command
-      ->add_option("--max-seconds", options->max_seconds,
-                   "Give up after so much simulated time (default: 2 s a frame)")
-      ->check(CLI::PositiveNumber);
   command->add_flag("--check", options->check, "Exit with 3 when a target is missed");
   command->add_option("--trace-counters", options->trace_counters,
                       "Also write the golden trace's counters to this file");

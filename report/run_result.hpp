@@ -1,6 +1,6 @@
 // Everything that a run found out, in one structure that every writer works from.
 //
-// Models nothing: whoever runs a machine fills it (cli/run_firmware.hpp), the writers below turn it
+// Models nothing: whoever runs a machine fills it (runner/run_firmware.hpp), the writers below turn it
 // into text and JSON. It holds no path, date or fact of the host, so that the same inputs give the
 // same bytes.
 #pragma once

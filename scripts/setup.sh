@@ -11,6 +11,8 @@ packages=(
   # libraries of the simulator and its tools
   libopencv-core-dev libopencv-imgcodecs-dev libopencv-imgproc-dev
   libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libeigen3-dev
+  # finback explore: the table of finished points, and its plot
+  libsqlite3-dev gnuplot-nox
   # tests, benchmarks and checks
   libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy
 )

@@ -3,9 +3,9 @@
 #include <map>
 
 #include <common/file.hpp>
+#include <common/toml_reader.hpp>
 #include <isa_sim/ir/firmware.hpp>
 #include <isa_sim/ir/parser.hpp>
-#include <isa_sim/ir/toml_reader.hpp>
 #include <isa_sim/ir/verifier.hpp>
 
 namespace finback::ir {

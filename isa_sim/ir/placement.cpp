@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <common/file.hpp>
+#include <common/toml_reader.hpp>
 #include <isa_sim/ir/placement.hpp>
-#include <isa_sim/ir/toml_reader.hpp>
 
 namespace finback::ir {
 namespace {
@@ -75,18 +75,20 @@ void read_owner(const TomlReader& reader, const toml::table& section, Owner whic
 }
 
 void override_rule(std::vector<PlacementRule>& rules, const std::string& name,
-                   const std::string& region) {
-  rules.insert(rules.begin(), {name, true, {{region}, {"(override)", 0, 0}}});
+                   const std::string& region, const SourcePlace& written) {
+  rules.insert(rules.begin(), {name, true, {{region}, written}});
 }
 
 }  // namespace
 
-void Placement::override_object(Owner owner, const std::string& name, const std::string& region) {
-  override_rule(of(owner).objects, name, region);
+void Placement::override_object(Owner owner, const std::string& name, const std::string& region,
+                                const SourcePlace& written) {
+  override_rule(of(owner).objects, name, region, written);
 }
 
-void Placement::override_function(Owner owner, const std::string& name, const std::string& region) {
-  override_rule(of(owner).functions, name, region);
+void Placement::override_function(Owner owner, const std::string& name, const std::string& region,
+                                  const SourcePlace& written) {
+  override_rule(of(owner).functions, name, region, written);
 }
 
 Placement default_placement() {

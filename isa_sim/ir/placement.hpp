@@ -50,9 +50,11 @@ struct Placement {
   }
 
   // Puts one object (or function) elsewhere, before all rules and earlier overrides. Names and
-  // regions are checked when the firmware is linked.
-  void override_object(Owner owner, const std::string& name, const std::string& region);
-  void override_function(Owner owner, const std::string& name, const std::string& region);
+  // regions are checked when the firmware is linked; messages then begin with `written`.
+  void override_object(Owner owner, const std::string& name, const std::string& region,
+                       const SourcePlace& written = {"(override)"});
+  void override_function(Owner owner, const std::string& name, const std::string& region,
+                         const SourcePlace& written = {"(override)"});
 };
 
 // Code in L1, data in the L1 banks from B, the stack in the scratchpad, the rest in L2, then L3.

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void expect_reference_map(const scenes::Scene& scene) {
-  const cli::RunOutcome outcome = cli::run_firmware(mesvs2_inputs(scene));
+  const runner::RunOutcome outcome = runner::run_firmware(mesvs2_inputs(scene));
   ASSERT_EQ(outcome.maps.size(), 1U);
   const machine::PublishedMap& map = outcome.maps[0];
   EXPECT_EQ(map.width, 160U);
@@ -36,7 +36,7 @@ TEST(FirmwareMap, EqualsReferenceOnNamedScenes) {
 
 TEST(FirmwareMap, EqualsReferenceOnEveryFrameOfAPipelinedRun) {
   const scenes::Scene scene = scenes::make_synthetic_scene(7);
-  const cli::RunOutcome outcome = cli::run_firmware(mesvs2_inputs(scene, 5));
+  const runner::RunOutcome outcome = runner::run_firmware(mesvs2_inputs(scene, 5));
   ASSERT_EQ(outcome.maps.size(), 5U);
   const std::vector<std::uint8_t> expected = reference_map(scene);
   for (std::uint32_t frame = 0; frame < 5; ++frame) {

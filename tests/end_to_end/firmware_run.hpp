@@ -4,16 +4,16 @@
 #include <functional>
 #include <utility>
 
-#include <cli/run_firmware.hpp>
+#include <runner/run_firmware.hpp>
 #include <common/file.hpp>
 #include <scenes/scene.hpp>
 #include <stereo_reference/matching.hpp>
 
 namespace finback {
 
-[[nodiscard]] inline cli::RunInputs mesvs2_inputs(scenes::Scene scene, std::uint32_t frames = 1) {
-  cli::RunInputs inputs;
-  inputs.firmware = cli::find_firmware("mesvs2", {});
+[[nodiscard]] inline runner::RunInputs mesvs2_inputs(scenes::Scene scene, std::uint32_t frames = 1) {
+  runner::RunInputs inputs;
+  inputs.firmware = runner::find_firmware("mesvs2", {});
   inputs.machine = std::make_unique<machine::MachineDescription>();
   inputs.scene = std::move(scene);
   inputs.frames = frames;

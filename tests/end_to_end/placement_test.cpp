@@ -15,10 +15,10 @@ Bytes level_bytes(const report::RunResult& result, const std::string& level,
 Cycles core_cycles(const report::RunResult& result) { return result.counters.at("core_b.cycles"); }
 
 TEST(Placement, MovingABufferChangesCyclesAndTrafficButNoMap) {
-  const cli::RunOutcome before = cli::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene()));
-  cli::RunInputs inputs = mesvs2_inputs(scenes::make_synthetic_scene());
+  const runner::RunOutcome before = runner::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene()));
+  runner::RunInputs inputs = mesvs2_inputs(scenes::make_synthetic_scene());
   inputs.firmware.firmware.placement.override_object(ir::Owner::core_b, "left_keys", "l3");
-  const cli::RunOutcome after = cli::run_firmware(inputs);
+  const runner::RunOutcome after = runner::run_firmware(inputs);
 
   EXPECT_EQ(before.maps[0].bytes, after.maps[0].bytes);
   EXPECT_GT(core_cycles(after.result), core_cycles(before.result));
@@ -32,8 +32,8 @@ TEST(Placement, MovingABufferChangesCyclesAndTrafficButNoMap) {
 // Every latency and cost at the least that its parameter allows.
 TEST(Timing, FastestMachineComputesTheSameMaps) {
   const scenes::Scene scene = scenes::make_synthetic_scene();
-  const cli::RunOutcome usual = cli::run_firmware(mesvs2_inputs(scene, 3));
-  cli::RunInputs inputs = mesvs2_inputs(scene, 3);
+  const runner::RunOutcome usual = runner::run_firmware(mesvs2_inputs(scene, 3));
+  runner::RunInputs inputs = mesvs2_inputs(scene, 3);
   for (ParameterBase* parameter : inputs.machine->parameters()) {
     const std::string_view unit = parameter->declaration().unit;
     if ((unit == "CCLK" || unit == "SCLK") &&
@@ -41,7 +41,7 @@ TEST(Timing, FastestMachineComputesTheSameMaps) {
       parameter->set(parameter->declaration().minimum);
     }
   }
-  const cli::RunOutcome fastest = cli::run_firmware(inputs);
+  const runner::RunOutcome fastest = runner::run_firmware(inputs);
   ASSERT_EQ(fastest.maps.size(), usual.maps.size());
   for (std::size_t frame = 0; frame < usual.maps.size(); ++frame) {
     EXPECT_EQ(fastest.maps[frame].bytes, usual.maps[frame].bytes) << "frame " << frame;
@@ -52,11 +52,11 @@ TEST(Timing, FastestMachineComputesTheSameMaps) {
 // A slow machine, too: late DMA and late signals reorder nothing.
 TEST(Timing, SlowMachineComputesTheSameMaps) {
   const scenes::Scene scene = scenes::make_synthetic_scene();
-  const cli::RunOutcome usual = cli::run_firmware(mesvs2_inputs(scene, 3));
-  cli::RunInputs inputs = mesvs2_inputs(scene, 3);
+  const runner::RunOutcome usual = runner::run_firmware(mesvs2_inputs(scene, 3));
+  runner::RunInputs inputs = mesvs2_inputs(scene, 3);
   inputs.machine->set("events.intercore_latency_cycles", 5000);
   inputs.machine->set("events.peripheral_latency_sclk", 500);
-  const cli::RunOutcome slow = cli::run_firmware(inputs);
+  const runner::RunOutcome slow = runner::run_firmware(inputs);
   ASSERT_EQ(slow.maps.size(), usual.maps.size());
   for (std::size_t frame = 0; frame < usual.maps.size(); ++frame) {
     EXPECT_EQ(slow.maps[frame].bytes, usual.maps[frame].bytes) << "frame " << frame;
@@ -65,8 +65,8 @@ TEST(Timing, SlowMachineComputesTheSameMaps) {
 }
 
 TEST(Determinism, TwoRunsCountTheSame) {
-  const cli::RunOutcome one = cli::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene(), 2));
-  const cli::RunOutcome two = cli::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene(), 2));
+  const runner::RunOutcome one = runner::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene(), 2));
+  const runner::RunOutcome two = runner::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene(), 2));
   ASSERT_EQ(one.result.counters.size(), two.result.counters.size());
   for (const auto& [name, value] : one.result.counters) {
     EXPECT_EQ(value, two.result.counters.at(name)) << name;

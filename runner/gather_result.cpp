@@ -1,15 +1,15 @@
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
+#include <runner/gather_result.hpp>
 
-#include <cli/gather_result.hpp>
 #include <isa_sim/ir/linker.hpp>
 #include <isa_sim/isa/instruction.hpp>
 #include <memory_model/memory_system.hpp>
 #include <power_model/power_model.hpp>
 #include <stereo_reference/evaluation.hpp>
 
-namespace finback::cli {
+namespace finback::runner {
 
 namespace {
 
@@ -290,4 +290,4 @@ std::map<std::string, std::uint64_t> trace_counters(const report::RunResult& res
   return counters;
 }
 
-}  // namespace finback::cli
+}  // namespace finback::runner

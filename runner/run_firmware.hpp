@@ -20,7 +20,7 @@
 #include <report/run_result.hpp>
 #include <scenes/scene.hpp>
 
-namespace finback::cli {
+namespace finback::runner {
 
 // A firmware as it was found, with the names and hashes that the result tells.
 struct LoadedFirmware {
@@ -38,7 +38,7 @@ struct LoadedFirmware {
 struct RunInputs {
   LoadedFirmware firmware;
   std::unique_ptr<machine::MachineDescription> machine;
-  std::unique_ptr<power::PowerParameters> power = std::make_unique<power::PowerParameters>();
+  std::shared_ptr<const power::PowerParameters> power = std::make_shared<power::PowerParameters>();
   std::string power_name = "default";
   scenes::Scene scene;
   std::uint32_t frames = 1;
@@ -68,4 +68,4 @@ struct RunOutcome {
 // (traces/README.md).
 [[nodiscard]] std::map<std::string, std::uint64_t> trace_counters(const report::RunResult& result);
 
-}  // namespace finback::cli
+}  // namespace finback::runner

@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <runner/run_firmware.hpp>
 #include <system_error>
 
-#include <cli/run_firmware.hpp>
 #include <common/error.hpp>
 #include <common/file.hpp>
 #include <common/parameter.hpp>
 
-namespace finback::cli {
+namespace finback::runner {
 
 namespace fs = std::filesystem;
 
@@ -95,4 +95,4 @@ LoadedFirmware find_firmware(const std::string& name, const std::optional<fs::pa
   return loaded;
 }
 
-}  // namespace finback::cli
+}  // namespace finback::runner

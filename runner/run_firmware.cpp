@@ -1,12 +1,12 @@
 #include <fmt/format.h>
+#include <runner/gather_result.hpp>
+#include <runner/run_firmware.hpp>
 
-#include <cli/gather_result.hpp>
-#include <cli/run_firmware.hpp>
 #include <common/error.hpp>
 #include <isa_sim/ir/linker.hpp>
 #include <isa_sim/machine/machine.hpp>
 
-namespace finback::cli {
+namespace finback::runner {
 
 namespace {
 
@@ -73,4 +73,4 @@ RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
   return outcome;
 }
 
-}  // namespace finback::cli
+}  // namespace finback::runner

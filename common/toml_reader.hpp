@@ -1,4 +1,4 @@
-// What placement.toml and firmware.toml share: reading TOML with messages that name file and line.
+// Reading TOML with messages that name file and line.
 #pragma once
 
 #include <initializer_list>
@@ -10,7 +10,7 @@
 
 #include <common/error.hpp>
 
-namespace finback::ir {
+namespace finback {
 
 class TomlReader {
  public:
@@ -41,4 +41,4 @@ class TomlReader {
   toml::table root_;
 };
 
-}  // namespace finback::ir
+}  // namespace finback

@@ -1,14 +1,15 @@
 // From what a machine counted to a report: the joint between the simulator's rooms and the report.
 #pragma once
 
-#include <cli/run_firmware.hpp>
+#include <runner/run_firmware.hpp>
+
 #include <isa_sim/ir/image.hpp>
 #include <isa_sim/machine/machine.hpp>
 
-namespace finback::cli {
+namespace finback::runner {
 
 // Fills everything from a machine that ran to `end`.
 [[nodiscard]] report::RunResult gather_result(const RunInputs& inputs, const ir::Image& image,
                                               machine::Machine& machine, Cycles end);
 
-}  // namespace finback::cli
+}  // namespace finback::runner

@@ -3,9 +3,9 @@
 #include <tuple>
 
 #include <common/parameter.hpp>
-#include <isa_sim/ir/toml_reader.hpp>
+#include <common/toml_reader.hpp>
 
-namespace finback::ir {
+namespace finback {
 namespace {
 
 SourcePlace place_of(const std::string& file, const toml::source_region& source) {
@@ -98,4 +98,4 @@ std::vector<std::pair<std::string, const toml::node*>> TomlReader::in_order(
   return result;
 }
 
-}  // namespace finback::ir
+}  // namespace finback

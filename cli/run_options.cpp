@@ -1,0 +1,53 @@
+#include <cli/run_options.hpp>
+
+namespace finback::cli {
+
+void add_run_options(CLI::App& command, runner::RunRequest& request) {
+  constexpr const char* kGroup = "What is run";
+  CLI::Option* left = command.add_option("--left", request.left, "Left image, any size or colour");
+  CLI::Option* right = command.add_option("--right", request.right, "Right image, of equal size");
+  left->needs(right)->group(kGroup);
+  right->needs(left)->group(kGroup);
+  command.add_option("--scene", request.scene, "A scene with known truth: aloe or synthetic")
+      ->capture_default_str()
+      ->excludes(left)
+      ->excludes(right)
+      ->group(kGroup);
+  command.add_option("--frames", request.frames, "Frames to process; the pair is repeated")
+      ->capture_default_str()
+      ->check(CLI::Range(1U, runner::kMostFrames))
+      ->group(kGroup);
+  command
+      .add_option("--firmware", request.firmware,
+                  "Installed firmware, or path of a folder, a firmware.toml or a .bir file")
+      ->capture_default_str()
+      ->group(kGroup);
+  command.add_option("--machine", request.machine, "Machine file (TOML) instead of the BF561")
+      ->group(kGroup);
+  command
+      .add_option("--set", request.settings,
+                  "One machine parameter, e.g. memory.l2.read_cycles=9; repeatable")
+      ->type_name("NAME=NUMBER")
+      ->allow_extra_args(false)
+      ->group(kGroup);
+  command
+      .add_option("--placement", request.placement,
+                  "Placement file (TOML) instead of the firmware's own")
+      ->group(kGroup);
+  command
+      .add_option("--place", request.moves,
+                  "Put one object, function or stack elsewhere, e.g. core_b.shd_scores=l3; "
+                  "repeatable")
+      ->type_name("OWNER.NAME=REGION")
+      ->allow_extra_args(false)
+      ->group(kGroup);
+  command.add_option("--power", request.power, "Power file (TOML): other numbers for the watts")
+      ->group(kGroup);
+  command
+      .add_option("--max-seconds", request.max_seconds,
+                  "Give up after so much simulated time (default: 2 s a frame)")
+      ->check(CLI::PositiveNumber)
+      ->group(kGroup);
+}
+
+}  // namespace finback::cli

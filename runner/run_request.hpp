@@ -1,0 +1,55 @@
+// What a person asks to be run, by names: the options of `finback run` and the [run] table of other
+// files. Turns them into loaded inputs.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <runner/run_firmware.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <common/error.hpp>
+#include <common/toml_reader.hpp>
+
+namespace finback::runner {
+
+struct RunRequest {
+  std::string firmware = "mesvs2";  // as find_firmware takes it
+  std::string scene = "aloe";
+  std::string left;  // both or none: a pair instead of a scene
+  std::string right;
+  std::uint32_t frames = 4;  // 1 to kMostFrames
+  std::string machine;       // files; "": the BF561, the firmware's own placement, default power
+  std::string placement;
+  std::string power;
+  std::vector<std::string> moves;     // "core_b.shd_scores=l3"
+  std::vector<std::string> settings;  // "memory.l2.read_cycles=9"
+  double max_seconds = 0;             // of simulated time; 0: two a frame
+};
+inline constexpr std::uint32_t kMostFrames = 10000;
+
+// Loads everything that `request` names. Throws InputError.
+[[nodiscard]] RunInputs load_inputs(const RunRequest& request);
+
+// Reads the keys of a [run] table, which are the options of `finback run`: firmware, scene, left,
+// right, frames, machine, placement, power, place, set, max_seconds. Paths are relative to the
+// file. Throws InputError naming the line.
+[[nodiscard]] RunRequest read_run_request(const TomlReader& reader, const toml::table& table);
+
+// One object, function or stack ("stack") put into another region.
+struct Move {
+  ir::Owner owner = ir::Owner::core_a;
+  std::string name;
+  std::string region;
+  SourcePlace written;  // where it was asked for: begins every message about it
+};
+
+// "core_b.shd_scores" -> owner and name. Throws InputError at `written` for anything else.
+[[nodiscard]] Move parse_movable(std::string_view text, const SourcePlace& written);
+
+// Applies moves in their order, the last wins, and makes the placement's identity tell them. Throws
+// InputError for names that the firmware does not have; regions are checked when it is linked.
+void apply_moves(LoadedFirmware& firmware, const std::vector<Move>& moves);
+
+}  // namespace finback::runner
