@@ -67,7 +67,10 @@ Json cores(const RunResult& result) {
                          {"packets", core.packets},
                          {"issue_cycles", issue_cycles(core.causes)},
                          {"stall_cycles", stalls(core.causes)},
-                         {"operations", named_numbers(core.operations)}};
+                         {"operations", named_numbers(core.operations)},
+                         {"code_bytes", core.code_bytes},
+                         {"stack_bytes", core.stack_bytes},
+                         {"stack_used_bytes", core.stack_used_bytes}};
   }
   return object;
 }
@@ -94,7 +97,23 @@ Json functions(const RunResult& result) {
                     {"inclusive_cycles", function.inclusive},
                     {"exclusive_cycles", function.exclusive},
                     {"issue_cycles", issue_cycles(function.causes)},
-                    {"stall_cycles", stalls(function.causes)}});
+                    {"stall_cycles", stalls(function.causes)},
+                    {"code_bytes", function.code_bytes}});
+  }
+  return list;
+}
+
+Json lines(const RunResult& result) {
+  Json list = Json::array();
+  for (const Line& line : result.lines) {
+    list.push_back({{"core", line.core},
+                    {"function", line.function},
+                    {"file", line.file},
+                    {"line", line.line},
+                    {"executions", line.executions},
+                    {"packets", line.packets},
+                    {"cycles", line.cycles},
+                    {"causes", named_numbers(line.causes)}});
   }
   return list;
 }
@@ -209,6 +228,7 @@ std::string to_json(const RunResult& result) {
       {"memory", regions(result)},
       {"objects", objects(result)},
       {"functions", functions(result)},
+      {"lines", lines(result)},
       {"power", power(result.power)},
       {"counters", named_numbers(result.counters)},
   };

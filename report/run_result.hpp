@@ -1,8 +1,8 @@
 // Everything that a run found out, in one structure that every writer works from.
 //
-// Models nothing: whoever runs a machine fills it (runner/run_firmware.hpp), the writers below turn it
-// into text and JSON. It holds no path, date or fact of the host, so that the same inputs give the
-// same bytes.
+// Models nothing: whoever runs a machine fills it (runner/run_firmware.hpp), the writers below turn
+// it into text and JSON. It holds no path, date or fact of the host, so that the same inputs give
+// the same bytes.
 #pragma once
 
 #include <cstdint>
@@ -49,6 +49,9 @@ struct Core {
   std::uint64_t packets = 0;
   CyclesByCause causes;                                           // sums to `cycles`
   std::vector<std::pair<std::string, std::uint64_t>> operations;  // executed, by energy class
+  Bytes code_bytes = 0;                                           // of its functions
+  Bytes stack_bytes = 0;                                          // as placed
+  Bytes stack_used_bytes = 0;                                     // the deepest that was written
 };
 
 struct Function {
@@ -59,6 +62,20 @@ struct Function {
   Cycles inclusive = 0;
   Cycles exclusive = 0;
   CyclesByCause causes;  // of the exclusive cycles
+  Bytes code_bytes = 0;
+};
+
+// What one line of source cost within one function: a line that is inlined into several has several
+// rows.
+struct Line {
+  std::string core;
+  std::string function;  // that its code is part of
+  std::string file;      // as the program names it; "" with line 0: code without a line
+  int line = 0;
+  std::uint64_t executions = 0;  // of its most executed packet
+  std::uint64_t packets = 0;     // issued, all together
+  Cycles cycles = 0;
+  CyclesByCause causes;  // only those that are not 0; sum to `cycles`
 };
 
 // A stage of the firmware's pipeline: one function with everything that it calls.
@@ -134,6 +151,7 @@ struct RunResult {
   std::vector<Core> cores;
   std::vector<Stage> stages;
   std::vector<Function> functions;
+  std::vector<Line> lines;  // by core, function, file and line
   std::vector<Traffic> traffic;
   std::vector<Object> objects;
   std::vector<RegionUse> regions;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <fmt/format.h>
 #include <runner/gather_result.hpp>
 
@@ -7,6 +6,7 @@
 #include <isa_sim/isa/instruction.hpp>
 #include <memory_model/memory_system.hpp>
 #include <power_model/power_model.hpp>
+#include <report/metrics.hpp>
 #include <stereo_reference/evaluation.hpp>
 
 namespace finback::runner {
@@ -257,24 +257,6 @@ report::RunResult gather_result(const RunInputs& inputs, const ir::Image& image,
   return result;
 }
 
-namespace {
-
-// A stage's name as a part of a counter's: "matching: row start" becomes "matching_row_start".
-std::string counter_word(const std::string& name) {
-  std::string word;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (std::isalnum(byte) != 0) {
-      word += static_cast<char>(std::tolower(byte));
-    } else if (!word.empty() && word.back() != '_') {
-      word += '_';
-    }
-  }
-  return word;
-}
-
-}  // namespace
-
 std::map<std::string, std::uint64_t> trace_counters(const report::RunResult& result) {
   std::map<std::string, std::uint64_t> counters = result.counters;
   counters["run.cycles"] = result.cycles;
@@ -284,7 +266,7 @@ std::map<std::string, std::uint64_t> trace_counters(const report::RunResult& res
     counters[name + ".published_cycle"] = frame.published;
   }
   for (const report::Stage& stage : result.stages) {
-    counters[fmt::format("stage.{}.{}.cycles", stage.core, counter_word(stage.name))] =
+    counters[fmt::format("stage.{}.{}.cycles", stage.core, report::metric_word(stage.name))] =
         stage.cycles;
   }
   return counters;
