@@ -24,9 +24,10 @@ class Value {
     want(json_.is_object(), "an object");
     const auto found = json_.find(key);
     if (found == json_.end()) {
-      throw InputError(fmt::format("{}: {} is missing: this is no result of finback run, or a part "
-                                   "of one",
-                                   file_, inner(key)));
+      throw InputError(
+          fmt::format("{}: {} is missing: this is no result of finback run, or one of "
+                      "an older version",
+                      file_, inner(key)));
     }
     return {*found, inner(key), file_};
   }
@@ -78,8 +79,8 @@ class Value {
   }
   void want(bool right, std::string_view what) const {
     if (!right) {
-      throw InputError(fmt::format("{}: {} wants {}", file_,
-                                   path_.empty() ? "the document" : path_, what));
+      throw InputError(
+          fmt::format("{}: {} wants {}", file_, path_.empty() ? "the document" : path_, what));
     }
   }
 
@@ -96,6 +97,14 @@ Provenance read_provenance(const Value& value) {
   return {value["tool_version"].text(),        read_ingredient(value["firmware"]),
           read_ingredient(value["placement"]), read_ingredient(value["machine"]),
           read_ingredient(value["power"]),     read_ingredient(value["scene"])};
+}
+
+std::vector<std::pair<std::string, std::uint64_t>> read_counts(const Value& value) {
+  std::vector<std::pair<std::string, std::uint64_t>> counts;
+  value.each_member([&](const std::string& name, const Value& count) {
+    counts.emplace_back(name, count.count());
+  });
+  return counts;
 }
 
 CyclesByCause read_causes(const Value& owner) {
@@ -115,9 +124,7 @@ void read_cores(const Value& value, RunResult& result) {
     core.instructions = row["instructions"].count();
     core.packets = row["packets"].count();
     core.causes = read_causes(row);
-    row["operations"].each_member([&](const std::string& kind, const Value& count) {
-      core.operations.emplace_back(kind, count.count());
-    });
+    core.operations = read_counts(row["operations"]);
     core.code_bytes = row["code_bytes"].count();
     core.stack_bytes = row["stack_bytes"].count();
     core.stack_used_bytes = row["stack_used_bytes"].count();
@@ -134,15 +141,12 @@ void read_program(const Value& root, RunResult& result) {
     result.functions.push_back({row["core"].text(), row["name"].text(), row["calls"].count(),
                                 row["instructions"].count(), row["inclusive_cycles"].count(),
                                 row["exclusive_cycles"].count(), read_causes(row),
-                                row["code_bytes"].count()});
+                                row["code_bytes"].count(), read_counts(row["bytes"])});
   });
   root["lines"].each([&](const Value& row) {
-    Line line{row["core"].text(),         row["function"].text(), row["file"].text(),
-              row["line"].small_count(),  row["executions"].count(),
-              row["packets"].count(),     row["cycles"].count(),  {}};
-    row["causes"].each_member([&](const std::string& cause, const Value& cycles) {
-      line.causes.emplace_back(cause, cycles.count());
-    });
+    Line line{row["core"].text(),        row["function"].text(),     row["file"].text(),
+              row["line"].small_count(), row["executions"].count(),  row["packets"].count(),
+              row["cycles"].count(),     read_counts(row["causes"]), read_counts(row["bytes"])};
     result.lines.push_back(std::move(line));
   });
 }
@@ -228,9 +232,8 @@ RunResult read_result(const Value& root) {
   read_program(root, result);
   read_memory(root, result);
   result.power = read_power(root["power"]);
-  root["counters"].each_member([&](const std::string& name, const Value& value) {
-    result.counters[name] = value.count();
-  });
+  root["counters"].each_member(
+      [&](const std::string& name, const Value& value) { result.counters[name] = value.count(); });
   return result;
 }
 
@@ -241,15 +244,16 @@ RunResult parse_result(std::string_view text, const std::string& file) {
   try {
     document = Json::parse(text);
   } catch (const Json::parse_error& error) {
-    throw InputError(fmt::format("{}: no JSON (at byte {}): give a result.json that finback run wrote",
-                                 file, error.byte));
+    throw InputError(fmt::format(
+        "{}: no JSON (at byte {}): give a result.json that finback run wrote", file, error.byte));
   }
   const Value root(document, "", file);
   const int version = root["schema_version"].small_count();
   if (version != kResultSchemaVersion) {
-    throw InputError(fmt::format("{}: schema_version is {}, this program reads {}; run again to get "
-                                 "a new result",
-                                 file, version, kResultSchemaVersion));
+    throw InputError(
+        fmt::format("{}: schema_version is {}, this program reads {}; run again to get "
+                    "a new result",
+                    file, version, kResultSchemaVersion));
   }
   return read_result(root);
 }

@@ -98,7 +98,8 @@ Json functions(const RunResult& result) {
                     {"exclusive_cycles", function.exclusive},
                     {"issue_cycles", issue_cycles(function.causes)},
                     {"stall_cycles", stalls(function.causes)},
-                    {"code_bytes", function.code_bytes}});
+                    {"code_bytes", function.code_bytes},
+                    {"bytes", named_numbers(function.bytes)}});
   }
   return list;
 }
@@ -113,7 +114,8 @@ Json lines(const RunResult& result) {
                     {"executions", line.executions},
                     {"packets", line.packets},
                     {"cycles", line.cycles},
-                    {"causes", named_numbers(line.causes)}});
+                    {"causes", named_numbers(line.causes)},
+                    {"bytes", named_numbers(line.bytes)}});
   }
   return list;
 }

@@ -104,6 +104,9 @@ class Collector {
       add_with_frame(name + ".inclusive_cycles", function.inclusive, "cycles");
       add_with_frame(name + ".exclusive_cycles", function.exclusive, "cycles");
       add_with_frame(name + ".stall_cycles", stalls, "cycles");
+      for (const auto& [level, bytes] : function.bytes) {
+        add_with_frame(fmt::format("{}.{}_bytes", name, level), bytes, "bytes");
+      }
     }
   }
 

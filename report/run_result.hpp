@@ -20,6 +20,9 @@ namespace finback::report {
 // Cycles by cause, in the order of core::kCauseNames; every cause is there, 0 or not.
 using CyclesByCause = std::vector<std::pair<std::string, Cycles>>;
 
+// Bytes by level of memory, in the order of memory::kLevelNames; every level is there.
+using BytesByLevel = std::vector<std::pair<std::string, Bytes>>;
+
 // One input of a run: its name and the FNV-1a hash of its bytes (report::content_hash).
 struct Ingredient {
   std::string name;
@@ -63,6 +66,7 @@ struct Function {
   Cycles exclusive = 0;
   CyclesByCause causes;  // of the exclusive cycles
   Bytes code_bytes = 0;
+  BytesByLevel bytes;  // that its own loads and stores moved
 };
 
 // What one line of source cost within one function: a line that is inlined into several has several
@@ -76,6 +80,7 @@ struct Line {
   std::uint64_t packets = 0;     // issued, all together
   Cycles cycles = 0;
   CyclesByCause causes;  // only those that are not 0; sum to `cycles`
+  BytesByLevel bytes;    // only those that are not 0
 };
 
 // A stage of the firmware's pipeline: one function with everything that it calls.

@@ -19,7 +19,6 @@ namespace {
 
 constexpr std::array<ir::Owner, 3> kOwners = {ir::Owner::core_a, ir::Owner::core_b,
                                               ir::Owner::shared};
-constexpr const char* kStack = "stack";
 
 // "NAME=VALUE" of an option, at the first equals sign.
 std::pair<std::string, std::string> split_assignment(const std::string& option,
@@ -82,7 +81,7 @@ Names names_of(const ir::FirmwareUnits& units, ir::Owner owner) {
     }
   }
   if (owner != ir::Owner::shared) {
-    names.objects.emplace_back(kStack);
+    names.objects.emplace_back(ir::kStackName);
   }
   return names;
 }
@@ -111,7 +110,7 @@ Names names_of(const ir::FirmwareUnits& units, ir::Owner owner) {
 void apply_move(LoadedFirmware& loaded, const Move& move) {
   ir::Placement& placement = loaded.firmware.placement;
   const Names names = names_of(loaded.firmware.units, move.owner);
-  if (move.name == kStack && move.owner != ir::Owner::shared) {
+  if (move.name == ir::kStackName && move.owner != ir::Owner::shared) {
     ir::OwnerPlacement& owner = placement.of(move.owner);
     owner.stack_region = move.region;
     owner.stack_written = move.written;

@@ -212,6 +212,7 @@ void BlockBuilder::add_operations(Draft& draft, const ir::PlacedPacket& packet, 
     operation.site = index;
     operation.cycle = static_cast<std::uint16_t>(cycle);
     operation.length = packet.length;
+    operation.access_bytes = static_cast<std::uint8_t>(access_bytes(*order[i]));
     operation.address = packet.address;
     if (i > 0 && info_of(*order[i]).memory == MemoryUse::store) {
       save_store_source(draft, std::span(order).first(count), *order[i], operation);

@@ -36,6 +36,7 @@ struct Core::Hooks {
     if (!continued && c.wait_for_turn(o)) {
       return nullptr;
     }
+    c.add_far_bytes(o, static_cast<std::size_t>(span->level), bytes);
     const bool far = span->level == memory::Level::l3;
     if (write) {
       c.add_stall(o, far ? Cause::l3_write : Cause::l2_write,
@@ -53,6 +54,7 @@ struct Core::Hooks {
     if (c.wait_for_turn(o)) {
       return false;
     }
+    c.add_far_bytes(o, kDeviceBytes, bytes);
     if (address >= EventController::kFirstRegister) {
       if (bytes != 4 || !c.events_.read(address, state.interrupt_mask, value)) {
         c.fault(o,
@@ -75,6 +77,7 @@ struct Core::Hooks {
     if (c.wait_for_turn(o)) {
       return false;
     }
+    c.add_far_bytes(o, kDeviceBytes, bytes);
     if (address >= EventController::kFirstRegister) {
       if (bytes != 4 || !c.events_.write(address, state.interrupt_mask, value)) {
         c.fault(
@@ -106,6 +109,7 @@ struct Core::Hooks {
       c.add_stall(o, far ? Cause::l3_read : Cause::l2_read,
                   c.memory_.core_test_and_set(c.number_, span, address, c.now(o)));
     });
+    c.add_far_bytes(o, static_cast<std::size_t>(span->level), 2);
     std::uint8_t& byte = *span->at(address);
     old = byte;
     byte |= 0x80;
@@ -148,7 +152,8 @@ Core::Core(CoreId id, const ir::CoreImage& image, const CoreParameters& paramete
              Hooks::system},
       calls_(image.functions.size()),
       builder_(image, parameters, memory, Hooks::packet_conflict),
-      dynamic_(image.packets.size()) {
+      dynamic_(image.packets.size()),
+      far_bytes_(image.packets.size()) {
   state_.hooks = &hooks_;
   state_.engine = this;
 }

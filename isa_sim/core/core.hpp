@@ -73,6 +73,10 @@ class Core {
   void take_interrupt();
   void wake(Cycles at);
   void add_stall(const isa::Operation& operation, Cause cause, Cycles cycles);
+  void add_far_bytes(const isa::Operation& operation, std::size_t where, int bytes) {
+    far_bytes_[operation.site][where] += static_cast<Bytes>(bytes);
+  }
+  [[nodiscard]] LevelBytes bytes_of(std::uint32_t packet, std::uint64_t executions) const;
   [[nodiscard]] bool wait_for_turn(const isa::Operation& operation);
   [[nodiscard]] Cycles now(const isa::Operation& operation) const {
     return state_.time + operation.cycle;
@@ -108,6 +112,9 @@ class Core {
   std::unordered_map<std::uint64_t, Block*> block_index_;  // by address and pipeline state
   std::vector<std::unique_ptr<Block>> blocks_;             // in the order of their making
   std::vector<CauseCycles> dynamic_;  // by packet: stalls that were met, not planned
+  // By packet: bytes moved outside the core's L1, to and from L2, L3 and (last) device registers.
+  static constexpr std::size_t kDeviceBytes = memory::kLevelCount;
+  std::vector<std::array<Bytes, memory::kLevelCount + 1>> far_bytes_;
 
   Block* current_ = nullptr;
   bool started_ = false;

@@ -1,7 +1,9 @@
 // Where the cycles went, summed from counts x constants when somebody asks.
+#include <algorithm>
 #include <fmt/format.h>
 
 #include <isa_sim/core/core.hpp>
+#include <isa_sim/core/placed.hpp>
 
 namespace finback::core {
 
@@ -17,7 +19,35 @@ void add(CauseCycles& sum, const CauseCycles& more) {
   }
 }
 
+bool any(const CauseCycles& cycles) {
+  return std::ranges::any_of(cycles, [](Cycles count) { return count != 0; });
+}
+
 }  // namespace
+
+// What an execution moves is known when it is decoded, and where it went only when it was not the
+// core's own L1: the rest is L1's. A block that waits for its turn has run as far as the access
+// that waits.
+LevelBytes Core::bytes_of(std::uint32_t packet, std::uint64_t executions) const {
+  const ir::PlacedPacket& placed = image_.packets[packet];
+  Bytes all = 0;
+  for (std::size_t slot = 0; slot < placed.count; ++slot) {
+    all += executions * access_bytes(placed.slots[slot]);
+  }
+  if (state_.retry != nullptr) {
+    for (const isa::Operation* o = current_->operations.get(); o != state_.retry; ++o) {
+      all += o->site == packet ? o->access_bytes : 0;
+    }
+  }
+  const auto& far = far_bytes_[packet];
+  const auto level = [](memory::Level which) { return static_cast<std::size_t>(which); };
+  LevelBytes bytes{};
+  bytes[level(memory::Level::l2)] = far[level(memory::Level::l2)];
+  bytes[level(memory::Level::l3)] = far[level(memory::Level::l3)];
+  bytes[level(memory::Level::l1)] =
+      all - far[level(memory::Level::l2)] - far[level(memory::Level::l3)] - far[kDeviceBytes];
+  return bytes;
+}
 
 CoreProfile Core::profile() const {
   CoreProfile result;
@@ -52,13 +82,19 @@ CoreProfile Core::profile() const {
                                 .calls = calls_.calls(i),
                                 .instructions = instructions[i],
                                 .exclusive = {},
-                                .inclusive = inclusive[i]});
+                                .inclusive = inclusive[i],
+                                .bytes = {}});
   }
-  for (std::size_t packet = 0; packet < by_packet.size(); ++packet) {
-    add(result.functions[image_.packets[packet].function].exclusive, by_packet[packet]);
+  for (std::uint32_t packet = 0; packet < by_packet.size(); ++packet) {
+    FunctionProfile& function = result.functions[image_.packets[packet].function];
+    const LevelBytes bytes = bytes_of(packet, executions[packet]);
+    for (std::size_t level = 0; level < bytes.size(); ++level) {
+      function.bytes[level] += bytes[level];
+    }
+    add(function.exclusive, by_packet[packet]);
     add(result.causes, by_packet[packet]);
-    if (executions[packet] != 0) {
-      result.packet_profiles.push_back({packet, executions[packet], by_packet[packet]});
+    if (executions[packet] != 0 || any(by_packet[packet])) {
+      result.packet_profiles.push_back({packet, executions[packet], by_packet[packet], bytes});
     }
   }
   return result;

@@ -48,13 +48,8 @@ Cycles Pipeline::issue_cycles(const ir::PlacedInstruction& instruction) const {
       return cycles_of(parameters_.event);
     case isa::Issue::test_and_set:
       return cycles_of(parameters_.test_and_set);
-    case isa::Issue::register_list: {
-      Cycles count = 0;
-      for_each_operand(instruction, [&](const OperandRole& role, std::int32_t value) {
-        for_each_register(role, value, [&](int) { ++count; });
-      });
-      return count;
-    }
+    case isa::Issue::register_list:
+      return listed_registers(instruction);
   }
   return 1;
 }

@@ -72,6 +72,22 @@ struct AccessAddress {
   return address;
 }
 
+// Registers that a push or pop multiple moves.
+[[nodiscard]] inline std::uint32_t listed_registers(const ir::PlacedInstruction& instruction) {
+  std::uint32_t count = 0;
+  for_each_operand(instruction, [&](const isa::OperandRole& role, std::int32_t value) {
+    for_each_register(role, value, [&](int) { ++count; });
+  });
+  return count;
+}
+
+// Bytes that one execution moves to or from memory.
+[[nodiscard]] inline std::uint32_t access_bytes(const ir::PlacedInstruction& instruction) {
+  const isa::Instruction& info = info_of(instruction);
+  return info.issue == isa::Issue::register_list ? info.access_bytes * listed_registers(instruction)
+                                                 : info.access_bytes;
+}
+
 // A move between address registers happens in stage AC and makes nobody wait (hardware.md 6.1).
 [[nodiscard]] inline bool reads_address_register(const ir::PlacedInstruction& instruction) {
   bool reads = false;

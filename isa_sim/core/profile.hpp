@@ -1,5 +1,6 @@
 // Where one core's cycles went: by cause, by function and by packet. Sums are exact: the cycles
-// over all causes, over all functions and over all packets each equal the core's total.
+// over all causes, over all functions and over all packets each equal the core's total, the bytes
+// over all functions and over all packets each the core's traffic at that level.
 #pragma once
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include <common/units.hpp>
+#include <memory_model/memory_map.hpp>
 
 namespace finback::core {
 
@@ -38,10 +40,14 @@ inline constexpr std::array<std::string_view, kCauseCount> kCauseNames = {
 
 using CauseCycles = std::array<Cycles, kCauseCount>;
 
+// Bytes that loads and stores moved, by memory::Level. Device registers are no level.
+using LevelBytes = std::array<Bytes, memory::kLevelCount>;
+
 struct PacketProfile {
   std::size_t packet = 0;  // index into ir::CoreImage::packets
   std::uint64_t executions = 0;
   CauseCycles cycles{};
+  LevelBytes bytes{};
 };
 
 struct FunctionProfile {
@@ -51,6 +57,7 @@ struct FunctionProfile {
   CauseCycles exclusive{};
   Cycles inclusive = 0;  // with callees; a recursive function counts its outermost call; without
                          // interrupt handlers
+  LevelBytes bytes{};
 };
 
 struct CoreProfile {
@@ -62,7 +69,7 @@ struct CoreProfile {
   std::array<std::uint64_t, 6> by_energy_class{};
   CauseCycles causes{};
   std::vector<FunctionProfile> functions;      // in order of address
-  std::vector<PacketProfile> packet_profiles;  // executed ones, in order of address
+  std::vector<PacketProfile> packet_profiles;  // those that cost anything, in order of address
 };
 
 }  // namespace finback::core

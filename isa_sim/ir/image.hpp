@@ -4,9 +4,11 @@
 // one.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <common/units.hpp>
@@ -40,8 +42,11 @@ struct PlacedFunction {
   std::size_t packet_count = 0;
 };
 
+// The name of a core's stack among the objects.
+inline constexpr std::string_view kStackName = "stack";
+
 struct PlacedObject {
-  std::string name;  // C name; "stack" for a core's stack
+  std::string name;  // C name; kStackName for a core's stack
   Owner owner = Owner::shared;
   std::string region;  // as the machine's map names it
   Address address = 0;
@@ -61,6 +66,14 @@ struct CoreImage {
 struct Image {
   std::array<CoreImage, kCoreCount> cores;
   std::vector<PlacedObject> objects;  // ordered by (owner, address)
+
+  // A core's stack, or nullptr when the core is not there.
+  [[nodiscard]] const PlacedObject* stack_of(Owner owner) const {
+    const auto found = std::ranges::find_if(objects, [owner](const PlacedObject& object) {
+      return object.owner == owner && object.name == kStackName;
+    });
+    return found == objects.end() ? nullptr : &*found;
+  }
 };
 
 }  // namespace finback::ir

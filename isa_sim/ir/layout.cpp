@@ -250,7 +250,7 @@ class Layout {
     }
     Thing stack;
     stack.owner = owner;
-    stack.symbol = stack.name = "stack";
+    stack.symbol = stack.name = kStackName;
     stack.align = kStackAlign;
     stack.size = own.stack_size;
     place(std::move(stack), {{own.stack_region}, own.stack_written}, true);

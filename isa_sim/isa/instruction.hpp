@@ -91,6 +91,7 @@ struct Instruction {
   Needs needs = Needs::ex2;
   Flow flow = Flow::none;
   MemoryUse memory = MemoryUse::none;
+  std::uint8_t access_bytes = 0;  // moved by one execution; of a register list, by each register
   Energy energy = Energy::alu;
   std::uint32_t implicit = kNothing;
   Execute execute = nullptr;

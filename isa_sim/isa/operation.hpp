@@ -31,12 +31,12 @@ struct Operation {
   Execute execute = nullptr;
   std::array<std::int32_t, kMaxOperands> operand{};
   mutable MemoryWindow* window =
-      nullptr;                 // the window hit last by this access site, never null for an access
-  std::uint32_t site = 0;      // index of the access site's statistics in the engine
-  std::uint16_t cycle = 0;     // static issue cycle within the block
-  std::uint8_t length = 0;     // bytes of the whole packet, for return addresses
-  bool packet_second = false;  // second access of its packet: checked for a sub-bank conflict
-  Address address = 0;         // of the packet
+      nullptr;              // the window hit last by this access site, never null for an access
+  std::uint32_t site = 0;   // index of the access site's statistics in the engine
+  std::uint16_t cycle = 0;  // static issue cycle within the block
+  std::uint8_t length = 0;  // bytes of the whole packet, for return addresses
+  std::uint8_t access_bytes = 0;  // that it moves to or from memory
+  Address address = 0;            // of the packet
 
   std::int32_t operator[](int index) const { return operand[static_cast<std::size_t>(index)]; }
 };

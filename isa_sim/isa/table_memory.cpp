@@ -13,12 +13,19 @@ using u32 = std::uint32_t;
 using s8 = std::int8_t;
 using s16 = std::int16_t;
 
+// By the letter before the bracket: B[, W[ or neither.
+constexpr std::uint8_t width_of(std::string_view syntax) {
+  const std::size_t bracket = syntax.find('[');
+  const char letter = bracket == 0 ? ' ' : syntax[bracket - 1];
+  return letter == 'B' ? 1 : letter == 'W' ? 2 : 4;
+}
 constexpr Instruction load_form(std::string_view syntax, int length, Slot slot, Execute execute) {
   return {.syntax = syntax,
           .length = length,
           .slot = slot,
           .result = Result::load,
           .memory = MemoryUse::load,
+          .access_bytes = width_of(syntax),
           .energy = Energy::access,
           .execute = execute};
 }
@@ -27,6 +34,7 @@ constexpr Instruction store_form(std::string_view syntax, int length, Slot slot,
           .length = length,
           .slot = slot,
           .memory = MemoryUse::store,
+          .access_bytes = width_of(syntax),
           .energy = Energy::access,
           .execute = execute};
 }
@@ -42,6 +50,7 @@ constexpr Instruction stack_form(std::string_view syntax, MemoryUse memory, Issu
           .issue = issue,
           .result = Result::load,
           .memory = memory,
+          .access_bytes = 4,
           .energy = Energy::access,
           .implicit = kReadsSp | kWritesSp,
           .execute = execute,
@@ -281,6 +290,7 @@ constexpr Instruction kTable[] = {
      .issue = Issue::link,
      .result = Result::pointer,
      .memory = MemoryUse::store,
+     .access_bytes = 8,
      .energy = Energy::access,
      .implicit = kReadsSp | kWritesSp | kReadsFp | kWritesFp | kReadsRets,
      .execute = link,
@@ -290,6 +300,7 @@ constexpr Instruction kTable[] = {
      .issue = Issue::unlink,
      .result = Result::load,
      .memory = MemoryUse::load,
+     .access_bytes = 8,
      .energy = Energy::access,
      .implicit = kWritesSp | kReadsFp | kWritesFp | kWritesRets,
      .execute = unlink,
@@ -298,6 +309,7 @@ constexpr Instruction kTable[] = {
      .length = 2,
      .issue = Issue::test_and_set,
      .memory = MemoryUse::load_store,
+     .access_bytes = 2,
      .energy = Energy::access,
      .implicit = kWritesCc,
      .execute = test_and_set,

@@ -14,6 +14,8 @@ namespace finback::machine {
 
 namespace {
 
+constexpr std::uint8_t kStackPattern = 0xA5;
+
 std::vector<memory::ObjectPlace> places_of(const ir::Image& image, const memory::MemoryMap& map) {
   constexpr std::array<const char*, 3> kOwners = {"core_a", "core_b", "shared"};
   std::vector<memory::ObjectPlace> places;
@@ -63,6 +65,11 @@ class Machine::Implementation final : public core::SystemPort {
     }
     for (const ir::PlacedObject& object : image.objects) {
       memory_.store_bytes(object.address, object.initial);
+    }
+    for (const ir::Owner owner : {ir::Owner::core_a, ir::Owner::core_b}) {
+      if (const ir::PlacedObject* stack = image.stack_of(owner)) {
+        memory_.store_bytes(stack->address, std::vector<std::uint8_t>(stack->size, kStackPattern));
+      }
     }
     memory_.register_counters(counters_);
     for (const auto& core : cores_) {
@@ -123,6 +130,17 @@ class Machine::Implementation final : public core::SystemPort {
 
   [[nodiscard]] core::Core& core_at(int number) {
     return *cores_[static_cast<std::size_t>(number)];
+  }
+
+  [[nodiscard]] std::uint32_t stack_used(CoreId core) const {
+    const ir::PlacedObject* stack = image_.stack_of(static_cast<ir::Owner>(core));
+    if (stack == nullptr) {
+      return 0;
+    }
+    const auto bytes = memory_.view_bytes(stack->address, stack->size);
+    const auto deepest =
+        std::ranges::find_if(bytes, [](std::uint8_t byte) { return byte != kStackPattern; });
+    return static_cast<std::uint32_t>(bytes.end() - deepest);
   }
 
   HostPort& host() { return bus_.host(); }
@@ -190,5 +208,7 @@ const CounterRegistry& Machine::counters() const { return implementation_->count
 core::CoreProfile Machine::profile(CoreId core) const {
   return implementation_->core_at(static_cast<int>(core)).profile();
 }
+
+std::uint32_t Machine::stack_used(CoreId core) const { return implementation_->stack_used(core); }
 
 }  // namespace finback::machine

@@ -61,6 +61,9 @@ class Machine {
 
   [[nodiscard]] const CounterRegistry& counters() const;
   [[nodiscard]] core::CoreProfile profile(CoreId core) const;
+  // Bytes of a core's stack, from its top down to the deepest that was ever changed; 0 when the
+  // core has none. Stacks begin filled with a pattern: a push of just that pattern goes unseen.
+  [[nodiscard]] std::uint32_t stack_used(CoreId core) const;
 
  private:
   class Implementation;

@@ -1,4 +1,5 @@
 // What a good run writes and prints.
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -83,8 +84,45 @@ TEST_F(Output, OfTheDefaultRunRepeatsAndFollowsItsGoldenTrace) {
       << "if this is meant, run " << kRefresh << " and review the change";
 }
 
+// What functions and lines moved is what their cores moved, level by level.
+void expect_equal_bytes(const json& r) {
+  for (const auto& [name, core] : r["cores"].items()) {
+    for (const auto& [level, initiators] : r["traffic"].items()) {
+      const std::uint64_t moved = initiators[name]["read_bytes"].get<std::uint64_t>() +
+                                  initiators[name]["write_bytes"].get<std::uint64_t>();
+      for (const char* rows : {"functions", "lines"}) {
+        std::uint64_t sum = 0;
+        for (const json& row : r[rows]) {
+          sum += row["core"] == name ? row["bytes"].value(level, std::uint64_t{0}) : 0;
+        }
+        EXPECT_EQ(sum, moved) << name << " " << level << " " << rows;
+      }
+    }
+  }
+}
+
+// What a core waited for memory is what its accesses to objects cost.
+void expect_equal_stalls(const json& r) {
+  for (const auto& [name, core] : r["cores"].items()) {
+    std::uint64_t by_object = 0;
+    for (const json& object : r["objects"]) {
+      by_object += object["accesses"].contains(name)
+                       ? object["accesses"][name]["stall_cycles"].get<std::uint64_t>()
+                       : 0;
+    }
+    std::uint64_t by_cause = 0;
+    for (const char* cause : {"l2_read", "l2_write", "l3_read", "l3_write"}) {
+      by_cause += core["stall_cycles"][cause].get<std::uint64_t>();
+    }
+    EXPECT_EQ(by_object, by_cause) << name;
+  }
+}
+
 TEST_F(Output, AddsUp) {
-  const Finished finished = finback({"run", "--scene", "synthetic", "--frames", "2", "--out", "o"});
+  // Buffers in L2 and L3, so that there is something to sum.
+  const Finished finished =
+      finback({"run", "--scene", "synthetic", "--frames", "2", "--place", "core_b.shd_update=l2",
+               "--place", "core_b.left_census=l3", "--out", "o"});
   ASSERT_EQ(finished.exit_code, 0) << finished.err;
   const json r = result("o");
   for (const auto& [name, core] : r["cores"].items()) {
@@ -99,7 +137,14 @@ TEST_F(Output, AddsUp) {
       exclusive += function["core"] == name ? function["exclusive_cycles"].get<std::uint64_t>() : 0;
     }
     EXPECT_EQ(exclusive, core["cycles"]) << name;
+    std::uint64_t line_cycles = 0;
+    for (const json& line : r["lines"]) {
+      line_cycles += line["core"] == name ? line["cycles"].get<std::uint64_t>() : 0;
+    }
+    EXPECT_EQ(line_cycles, core["cycles"]) << name;
   }
+  expect_equal_bytes(r);
+  expect_equal_stalls(r);
   // Bytes by object sum to bytes by level.
   for (const auto& [level, initiators] : r["traffic"].items()) {
     for (const auto& [initiator, bytes] : initiators.items()) {
@@ -160,7 +205,23 @@ TEST_F(Output, OfABareProgramHasNoFrames) {
   EXPECT_EQ(r["frames"], json::array());
   EXPECT_EQ(r["frames_per_second"], 0.0);
   EXPECT_FALSE(r["cores"]["core_b"]["started"].get<bool>());
-  EXPECT_EQ(r["targets"]["frames_per_second"]["verdict"], "fail");
+  // There is no rate to miss.
+  EXPECT_FALSE(r["targets"].contains("frames_per_second"));
+  EXPECT_THAT(finished.out, HasSubstr("\nVerdict: pass\n"));
+}
+
+TEST_F(Output, TellsHowDeepTheStackWas) {
+  const auto used = [&](const std::string& pushes) {
+    write("main.bir",
+          program_text("  R0 = 0 (X);\n" + pushes + "  SP += " +
+                       std::to_string(4 * std::count(pushes.begin(), pushes.end(), ';')) +
+                       ";\n  RTS;\n"));
+    const Finished finished = finback({"run", "--firmware", "main.bir", "--out", "o"});
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    return result("o")["cores"]["core_a"]["stack_used_bytes"].get<int>();
+  };
+  const std::string push = "  [--SP] = R0;\n";
+  EXPECT_EQ(used(push + push + push + push) - used(push), 12);
 }
 
 TEST_F(Output, HasNoTraceOfWhereItRan) {

@@ -9,6 +9,24 @@
 namespace finback::core {
 namespace {
 
+// What the table says that the executed instructions moved, and what the memory counted.
+Bytes profiled_l1_bytes(CoreHarness& harness) {
+  Bytes bytes = 0;
+  for (const FunctionProfile& function : harness.core().profile().functions) {
+    bytes += function.bytes[static_cast<std::size_t>(memory::Level::l1)];
+  }
+  return bytes;
+}
+Bytes counted_l1_bytes(CoreHarness& harness) {
+  Bytes bytes = 0;
+  for (const memory::Direction direction : {memory::Direction::read, memory::Direction::write}) {
+    bytes += harness.memory()
+                 .level_traffic(memory::Level::l1, memory::Initiator::core_a, direction)
+                 .bytes;
+  }
+  return bytes;
+}
+
 class Differential : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(Differential, EngineEqualsEvaluator) {
@@ -26,6 +44,7 @@ TEST_P(Differential, EngineEqualsEvaluator) {
   EXPECT_EQ(engine.core().state().astat(), plain.evaluator().state().astat());
   EXPECT_EQ(engine.core().state().accumulator, plain.evaluator().state().accumulator);
   EXPECT_EQ(engine.core().profile().packets, plain.evaluator().packets());
+  EXPECT_EQ(profiled_l1_bytes(engine), counted_l1_bytes(engine));
   for (const ir::PlacedObject& object : engine.image().objects) {
     const auto left = engine.memory().view_bytes(object.address, object.size);
     const auto right = plain.memory().view_bytes(object.address, object.size);

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "schema_check.hpp"
+#include "small_result.hpp"
 #include <common/file.hpp>
 #include <report/json_writer.hpp>
-#include <report/run_result.hpp>
 #include <report/text_writer.hpp>
 
 namespace finback::report {
@@ -13,40 +13,6 @@ namespace {
 
 using nlohmann::json;
 using ::testing::HasSubstr;
-
-constexpr double kCoreHertz = 600e6;
-
-RunResult small_result() {
-  RunResult r;
-  r.provenance = {"0.1.0",
-                  {"mesvs2", content_hash("firmware")},
-                  {"default", content_hash("placement")},
-                  {"bf561", content_hash("machine")},
-                  {"default", content_hash("power")},
-                  {"aloe", content_hash("scene")}};
-  r.core_hertz = kCoreHertz;
-  r.system_hertz = 120e6;
-  r.cycles = 100'000'000;
-  r.frames = {{0, 1'000'000, 40'000'000}, {1, 25'000'000, 65'000'000}, {2, 50'000'000, 90'000'000}};
-  r.cores = {{"core_a", true, 100, 60, 50, {{"issue", 50}, {"idle", 30}, {"l3_read", 20}}, {}},
-             {"core_b", false, 0, 0, 0, {{"issue", 0}, {"idle", 0}, {"l3_read", 0}}, {}}};
-  r.cores[0].operations = {{"alu", 40}, {"mac", 20}};
-  r.stages = {{"rectification", "core_a", "rectify", 3'000'000, 1e6}};
-  r.functions = {
-      {"core_a", "rectify", 3, 50, 90, 60, {{"issue", 40}, {"idle", 0}, {"l3_read", 20}}},
-      {"core_a", "never_called", 0, 0, 0, 0, {{"issue", 0}, {"idle", 0}, {"l3_read", 0}}}};
-  r.traffic = {{"l3", "core_a", 3'000'000, 600}, {"l3", "mdma1_0", 0, 0}};
-  r.objects = {{"rows", "core_a", "l3", "l3", 1200, {{"core_a", 5, 6, 20, 24, 400}}}};
-  r.regions = {{"core_a", "l1.data.a", "l1", 0, 32768}, {"", "l3", "l3", 1200, 67108864}};
-  power::Activity activity;
-  activity.cycles = r.cycles;
-  r.power = power::estimate_power(power::PowerParameters(), activity);
-  r.targets = {{"frames_per_second", ">=", 20, frames_per_second(r.frames, kCoreHertz), "fps"},
-               {"power_watts", "<=", 2.3, r.power.watts, "W"}};
-  r.accuracy = Accuracy{0, 1.0, 8, 14000, 80, 25, 6.25};
-  r.counters = {{"core_a.instructions", 60}, {"traffic.l3.core_a.read.bytes", 3'000'000}};
-  return r;
-}
 
 json schema() {
   return json::parse(read_text_file(FINBACK_SOURCE_DIR "/report/result.schema.json"));
