@@ -15,48 +15,48 @@ std::string frames_text(std::size_t frames) {
   return fmt::format("{} frame{}", frames, frames == 1 ? "" : "s");
 }
 
-[[noreturn]] void fail_incomparable(const std::string& name, const std::string& what,
-                                    const std::string& is, const Budget& budget,
-                                    const std::string& was) {
-  throw InputError(
-      SourcePlace{name},
-      fmt::format("{} {}, but the baseline {} {} {}: they cannot be compared; run the same, or "
-                  "write a new baseline with --update-baseline",
-                  what, is, budget.baseline.string(), what == "has" ? "has" : "is of", was));
-}
-
-void require_same_firmware(const Budget& budget, const std::string& is, const std::string& name) {
-  if (!budget.firmware.empty() && is != budget.firmware) {
-    throw InputError(SourcePlace{name},
-                     fmt::format("a result of the firmware {}, but {} holds budgets of {}", is,
-                                 budget.file, budget.firmware));
-  }
+// `is` and `was` say what differs: "is of the scene aloe", "has 4 frames".
+[[noreturn]] void fail_incomparable(const std::string& name, const std::string& is,
+                                    const Budget& budget, const std::string& was) {
+  throw InputError(fmt::format(
+      "{} {}, but the baseline {} {}: they cannot be compared; run the same, or write a new "
+      "baseline with --update-baseline",
+      name, is, budget.baseline.string(), was));
 }
 
 }  // namespace
 
+void require_firmware(const Budget& budget, const report::RunResult& result,
+                      const std::string& name) {
+  const std::string& is = result.provenance.firmware.name;
+  if (!budget.firmware.empty() && is != budget.firmware) {
+    throw InputError(fmt::format("{} is of the firmware {}, but {} holds budgets of {}", name, is,
+                                 budget.file, budget.firmware));
+  }
+}
+
 void require_comparable(const Budget& budget, const report::RunResult& result,
                         const std::string& name, const report::RunResult* baseline) {
-  const report::Provenance& now = result.provenance;
-  require_same_firmware(budget, now.firmware.name, name);
+  require_firmware(budget, result, name);
   if (baseline == nullptr) {
     return;
   }
+  require_firmware(budget, *baseline, budget.baseline.string());
+  const report::Provenance& now = result.provenance;
   const report::Provenance& then = baseline->provenance;
-  require_same_firmware(budget, then.firmware.name, budget.baseline.string());
-  if (now.firmware.name != then.firmware.name) {
-    fail_incomparable(name, "of the firmware", now.firmware.name, budget, then.firmware.name);
-  }
-  if (now.scene.name != then.scene.name) {
-    fail_incomparable(name, "of the scene", now.scene.name, budget, then.scene.name);
-  }
+  const auto require_same = [&](const std::string& what, const std::string& is,
+                                const std::string& was) {
+    if (is != was) {
+      fail_incomparable(name, what + is, budget, what + was);
+    }
+  };
+  require_same("is of the firmware ", now.firmware.name, then.firmware.name);
+  require_same("is of the scene ", now.scene.name, then.scene.name);
   if (now.scene.hash != then.scene.hash) {
-    fail_incomparable(name, "of the scene", now.scene.name, budget, "other pictures of that name");
+    fail_incomparable(name, "is of the scene " + now.scene.name, budget,
+                      "of other pictures with that name");
   }
-  if (result.frames.size() != baseline->frames.size()) {
-    fail_incomparable(name, "has", frames_text(result.frames.size()), budget,
-                      frames_text(baseline->frames.size()));
-  }
+  require_same("has ", frames_text(result.frames.size()), frames_text(baseline->frames.size()));
 }
 
 std::vector<std::string> changed_inputs(const report::Provenance& before,

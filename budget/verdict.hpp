@@ -40,9 +40,13 @@ struct Verdict {
 
 // Throws InputError when `result` is of another firmware than the budget, or of another firmware,
 // scene or number of frames than the baseline: comparing them would mean nothing. `name` is what
-// the message calls the result.
+// messages call the result.
 void require_comparable(const Budget& budget, const report::RunResult& result,
                         const std::string& name, const report::RunResult* baseline);
+
+// The first of these conditions.
+void require_firmware(const Budget& budget, const report::RunResult& result,
+                      const std::string& name);
 
 // `budget` must outlive the verdict. Throws InputError as require_comparable and check_limits do.
 [[nodiscard]] Verdict judge(const Budget& budget, const report::RunResult& result,

@@ -20,6 +20,7 @@ int parse_and_run(int argc, char** argv) {
   app.footer("finback COMMAND --help explains a command and shows an example.");
   Action action;
   add_run_command(app, action);
+  add_check_command(app, action);
   add_machine_command(app, action);
   add_isa_command(app, action);
   try {

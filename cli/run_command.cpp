@@ -2,17 +2,19 @@
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <runner/run_request.hpp>
+#include <optional>
 #include <system_error>
 
 #include <cli/commands.hpp>
 #include <cli/output_folder.hpp>
 #include <cli/progress.hpp>
 #include <cli/run_options.hpp>
+#include <cli/watched_run.hpp>
 #include <common/error.hpp>
 #include <common/file.hpp>
 #include <report/json_writer.hpp>
 #include <report/text_writer.hpp>
+#include <runner/run_request.hpp>
 #include <scenes/luma.hpp>
 
 namespace finback::cli {
@@ -72,22 +74,11 @@ int run(const Options& options) {
   const runner::RunInputs inputs = runner::load_inputs(options.request);
   OutputFolder folder(options.out);
 
-  ProgressBar bar(options.request.frames, inputs.machine->clock.cclk_mhz * 1e6);
-  runner::RunObserver observer;
-  observer.cancelled = [&bar](Cycles now, std::uint32_t frames_done) {
-    bar.show(now, frames_done);
-    return interrupted();
-  };
-  observer.console = [&bar](const std::string& line) {
-    bar.wipe();
-    fmt::print(stderr, "firmware: {}\n", line);
-  };
-  const runner::RunOutcome outcome = runner::run_firmware(inputs, observer);
-  bar.wipe();
-  if (outcome.cancelled || interrupted()) {
-    fmt::print(stderr, "finback: interrupted; nothing was written\n");
+  const std::optional<runner::RunOutcome> watched = run_watched(inputs);
+  if (!watched) {
     return kInterrupted;
   }
+  const runner::RunOutcome& outcome = *watched;
 
   for (const machine::PublishedMap& map : outcome.maps) {
     write_map(map, folder.staged(map_name(map.frame_number)));

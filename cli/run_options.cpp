@@ -2,8 +2,13 @@
 
 namespace finback::cli {
 
+namespace {
+
+constexpr const char* kGroup = "What is run";
+
+}  // namespace
+
 void add_run_options(CLI::App& command, runner::RunRequest& request) {
-  constexpr const char* kGroup = "What is run";
   CLI::Option* left = command.add_option("--left", request.left, "Left image, any size or colour");
   CLI::Option* right = command.add_option("--right", request.right, "Right image, of equal size");
   left->needs(right)->group(kGroup);
@@ -48,6 +53,39 @@ void add_run_options(CLI::App& command, runner::RunRequest& request) {
                   "Give up after so much simulated time (default: 2 s a frame)")
       ->check(CLI::PositiveNumber)
       ->group(kGroup);
+}
+
+runner::RunRequest with_given_options(const CLI::App& command, const runner::RunRequest& given,
+                                      runner::RunRequest base) {
+  const auto take = [&](const char* option, auto member) {
+    if (command.get_option(option)->count() > 0) {
+      base.*member = given.*member;
+    }
+  };
+  take("--left", &runner::RunRequest::left);
+  take("--right", &runner::RunRequest::right);
+  take("--scene", &runner::RunRequest::scene);
+  if (command.get_option("--scene")->count() > 0) {
+    base.left.clear();
+    base.right.clear();
+  }
+  take("--frames", &runner::RunRequest::frames);
+  take("--firmware", &runner::RunRequest::firmware);
+  take("--machine", &runner::RunRequest::machine);
+  take("--placement", &runner::RunRequest::placement);
+  take("--power", &runner::RunRequest::power);
+  take("--max-seconds", &runner::RunRequest::max_seconds);
+  base.moves.insert(base.moves.end(), given.moves.begin(), given.moves.end());
+  base.settings.insert(base.settings.end(), given.settings.begin(), given.settings.end());
+  return base;
+}
+
+void exclude_run_options(CLI::App& command, CLI::Option& option) {
+  for (CLI::Option* other : command.get_options()) {
+    if (other->get_group() == kGroup) {
+      option.excludes(other);
+    }
+  }
 }
 
 }  // namespace finback::cli

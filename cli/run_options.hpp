@@ -1,13 +1,21 @@
 // The options that say what is run: common to every command that runs a firmware.
 #pragma once
 
-#include <runner/run_request.hpp>
-
 #include <CLI/CLI.hpp>
+#include <runner/run_request.hpp>
 
 namespace finback::cli {
 
 // Adds them to `command`; they are read into `request`, which must live as long as the command.
 void add_run_options(CLI::App& command, runner::RunRequest& request);
+
+// `base` with the options that were given to `command` and so are in `given`. A scene replaces a
+// pair and a pair a scene; --place and --set come after those of `base`.
+[[nodiscard]] runner::RunRequest with_given_options(const CLI::App& command,
+                                                    const runner::RunRequest& given,
+                                                    runner::RunRequest base);
+
+// Says that `option` leaves nothing to run: none of them may be given with it.
+void exclude_run_options(CLI::App& command, CLI::Option& option);
 
 }  // namespace finback::cli
