@@ -7,12 +7,17 @@ namespace finback::budget {
 
 namespace {
 
+// Names stay legible in the raw text, too.
+std::string code_span(const std::string& name) {
+  return name.find_first_of("`|\n") == std::string::npos ? "`" + name + "`" : markdown_cell(name);
+}
+
 void add_table(std::string& text, const std::vector<Check>& checks) {
   text += "\n| metric | value | limit | baseline | change |\n|---|---:|---:|---:|---:|\n";
   for (const Check& check : checks) {
     const CheckRow row = row_of(check);
     const std::string origin = row.origin.empty() ? "" : fmt::format(" ({})", row.origin);
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", markdown_cell(row.metric),
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", code_span(row.metric),
                         markdown_cell(row.value), markdown_cell(row.limit + origin),
                         markdown_cell(row.baseline), markdown_cell(row.change));
   }
@@ -34,7 +39,7 @@ void add_reasons(std::string& text, const std::vector<Explanation>& why) {
 }  // namespace
 
 std::string markdown_cell(std::string_view text) {
-  constexpr std::string_view kSpecial = "\\`*_{}[]<>#|~";
+  constexpr std::string_view kSpecial = "\\`*_[]<>#|~";
   std::string escaped;
   for (const char c : text) {
     if (kSpecial.find(c) != std::string_view::npos) {
@@ -50,8 +55,8 @@ std::string to_markdown(const Verdict& verdict) {
                                  verdict.passed() ? "\u2705" : "\u274c", summary_of(verdict));
   text += markdown_cell(verdict.run) + "\n\n";
   for (const Headline& headline : verdict.headlines) {
-    text += fmt::format("- {}: {}\n", markdown_cell(headline.name),
-                        markdown_cell(headline_text(headline)));
+    text +=
+        fmt::format("- {}: {}\n", code_span(headline.name), markdown_cell(headline_text(headline)));
   }
   if (!verdict.changed.empty()) {
     text += fmt::format("- changed: {}\n",

@@ -26,7 +26,13 @@ std::string grouped(const std::string& digits) {
 
 }  // namespace
 
-std::string number_text(double value) { return grouped(report::metric_text(value)); }
+std::string number_text(double value) {
+  std::string text = report::metric_text(value);
+  if (text.ends_with(".0")) {  // rounded to a whole number
+    text.resize(text.size() - 2);
+  }
+  return grouped(text);
+}
 
 std::string exact_text(double value) { return grouped(fmt::format("{}", value)); }
 
@@ -39,7 +45,7 @@ std::string percent_text(double before, double after) {
     return "0 %";
   }
   if (before == 0) {
-    return "new";
+    return "from 0";
   }
   const double percent = 100 * (after - before) / std::abs(before);
   return std::abs(percent) >= 0.1 ? fmt::format("{:+.1f} %", percent)

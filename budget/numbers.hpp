@@ -14,7 +14,7 @@ namespace finback::budget {
 // "+12,345", "-12,345", "+0".
 [[nodiscard]] std::string signed_text(std::int64_t value);
 
-// "+69.0 %", "-0.004 %"; "0 %" for equal numbers, "new" for a growth from 0.
+// "+69.0 %", "-0.004 %"; "0 %" for equal numbers, "from 0" for a growth from 0.
 [[nodiscard]] std::string percent_text(double before, double after);
 
 }  // namespace finback::budget

@@ -107,9 +107,11 @@ class CyclesTeller {
     if (key_.family == kIdle) {
       text += fmt::format("{} cycles asleep", amount_text(f.idle, key_));
     } else if (key_.against) {
-      text += fmt::format("{} cycles ({}): {}", signed_text(f.cycles()),
-                          percent_text(static_cast<double>(f.before), static_cast<double>(f.after)),
-                          causes_text(f.causes, key_));
+      text += fmt::format(
+          "{} cycles ({}): {}", signed_text(f.cycles()),
+          f.is_new ? "new"
+                   : percent_text(static_cast<double>(f.before), static_cast<double>(f.after)),
+          causes_text(f.causes, key_));
     } else {
       text += fmt::format("{} cycles: {}", number_text(static_cast<double>(f.after)),
                           causes_text(f.causes, key_));

@@ -101,7 +101,7 @@ std::string headline_text(const Headline& headline) {
   if (!headline.baseline || *headline.baseline == headline.value) {
     return value;
   }
-  return fmt::format("{} ({} before, {})", value, number_text(*headline.baseline),
+  return fmt::format("{} -> {} ({})", number_text(*headline.baseline), value,
                      percent_text(*headline.baseline, headline.value));
 }
 

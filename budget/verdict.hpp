@@ -57,7 +57,7 @@ void require_firmware(const Budget& budget, const report::RunResult& result,
                                                       const report::Provenance& now);
 [[nodiscard]] std::vector<Headline> headlines_of(const Metrics& now, const Metrics* baseline);
 
-// "62.014 fps", with "(62.1 before, -0.1 %)" when there is a baseline that differs.
+// "62.014 fps", or "62.1 -> 62.014 fps (-0.1 %)" when there is a baseline that differs.
 [[nodiscard]] std::string headline_text(const Headline& headline);
 
 }  // namespace finback::budget

@@ -108,18 +108,24 @@ int list(const Options& options, const report::RunResult& result) {
   return kFine;
 }
 
-// The result that the new baseline replaces; empty when there is none that could be compared.
-std::optional<report::RunResult> old_baseline(const budget::Budget& budget, const Judged& judged) {
+// What the new baseline takes the place of.
+struct Replaced {
+  std::optional<report::RunResult> result;  // when the new one can be compared with it
+  std::string how;
+};
+
+Replaced replaced_by(const budget::Budget& budget, const Judged& judged) {
   std::error_code error;
   if (!fs::exists(budget.baseline, error)) {
-    return std::nullopt;
+    return {std::nullopt, "a first baseline"};
   }
   try {
     report::RunResult old = report::load_result(budget.baseline);
     budget::require_comparable(budget, judged.result, judged.name, &old);
-    return old;
-  } catch (const InputError&) {  // to be replaced, whatever it is
-    return std::nullopt;
+    const bool same = report::to_json(old) == report::to_json(judged.result);
+    return {std::move(old), same ? "no change" : "before and now:"};
+  } catch (const InputError&) {  // it is replaced because it is not what it should be
+    return {std::nullopt, "in place of one that this result cannot be compared with"};
   }
 }
 
@@ -127,13 +133,13 @@ int update_baseline(const budget::Budget& budget, const Judged& judged) {
   budget::require_firmware(budget, judged.result, judged.name);
   const budget::Metrics now = report::metrics_of(judged.result);
   budget::require_known(budget, now, nullptr);
-  const std::optional<report::RunResult> old = old_baseline(budget, judged);
+  const Replaced old = replaced_by(budget, judged);
+  const budget::Metrics before = old.result ? report::metrics_of(*old.result) : budget::Metrics();
   write_file_whole(budget.baseline, report::to_json(judged.result));
 
-  const budget::Metrics before = old ? report::metrics_of(*old) : budget::Metrics();
-  fmt::print("Written: {}, {}\n", budget.baseline.string(),
-             old ? "in place of a comparable one" : "a first one, or not comparable with the old");
-  for (const budget::Headline& headline : budget::headlines_of(now, old ? &before : nullptr)) {
+  fmt::print("Written: {}, {}\n", budget.baseline.string(), old.how);
+  for (const budget::Headline& headline :
+       budget::headlines_of(now, old.result ? &before : nullptr)) {
     fmt::print("  {:<20} {}\n", headline.name, budget::headline_text(headline));
   }
   budget::Budget absolute = budget;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Writes the golden traces anew from the present build (traces/README.md). Review what changes
-# before you commit it: git diff traces.
+# Writes the golden traces and the firmware's budget baseline anew from the present build
+# (traces/README.md, docs/finback-check.md). Review what changes before you commit it:
+# git diff traces firmware/budgets.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -10,4 +11,5 @@ out=$(mktemp --directory)
 trap 'rm -r "$out"' EXIT
 build/release/bin/finback run --scene aloe --frames 4 --out "$out" \
   --trace-counters traces/mesvs2_aloe.json
-git --no-pager diff --stat -- traces
+build/release/bin/finback check firmware/budgets/mesvs2.toml --update-baseline
+git --no-pager diff --stat -- traces firmware/budgets
