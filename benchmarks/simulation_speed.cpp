@@ -3,8 +3,8 @@
 // ratio (benchmarks/README.md).
 #include <benchmark/benchmark.h>
 
-#include <runner/run_firmware.hpp>
 #include <common/file.hpp>
+#include <runner/run_firmware.hpp>
 
 namespace {
 

@@ -22,6 +22,8 @@ using Action = std::function<int()>;
 // Set `action` when their subcommand is the one that was given.
 void add_run_command(CLI::App& app, Action& action);
 void add_check_command(CLI::App& app, Action& action);
+void add_profile_command(CLI::App& app, Action& action);
+void add_annotate_command(CLI::App& app, Action& action);
 void add_machine_command(CLI::App& app, Action& action);
 void add_isa_command(CLI::App& app, Action& action);
 

@@ -21,6 +21,8 @@ int parse_and_run(int argc, char** argv) {
   Action action;
   add_run_command(app, action);
   add_check_command(app, action);
+  add_profile_command(app, action);
+  add_annotate_command(app, action);
   add_machine_command(app, action);
   add_isa_command(app, action);
   try {

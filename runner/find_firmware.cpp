@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <runner/run_firmware.hpp>
 #include <system_error>
 
 #include <common/error.hpp>
 #include <common/file.hpp>
 #include <common/parameter.hpp>
+#include <runner/run_firmware.hpp>
 
 namespace finback::runner {
 

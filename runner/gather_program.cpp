@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <map>
 #include <numeric>
 #include <string_view>
@@ -73,13 +72,6 @@ struct LineCost {
   core::LevelBytes bytes{};
 };
 
-// A unit's own lines, those without a line of a source, go by the path that it was loaded from: a
-// fact of the host, of which the name is enough.
-std::string told_file(const std::string& file) {
-  const std::filesystem::path path(file);
-  return path.extension() == ".bir" ? path.filename().string() : file;
-}
-
 void gather_lines(CoreId core, const ir::CoreImage& image, const core::CoreProfile& profile,
                   report::RunResult& result) {
   std::map<std::tuple<std::uint32_t, int, int>, LineCost> lines;  // function, file, line
@@ -100,7 +92,7 @@ void gather_lines(CoreId core, const ir::CoreImage& image, const core::CoreProfi
     report::Line row;
     row.core = name_of(core);
     row.function = image.functions[function].name;
-    row.file = number > 0 ? told_file(image.source_files[static_cast<std::size_t>(file)]) : "";
+    row.file = number > 0 ? image.source_files[static_cast<std::size_t>(file)] : "";
     row.line = number;
     row.executions = cost.executions;
     row.packets = cost.packets;

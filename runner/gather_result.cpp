@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <fmt/format.h>
-#include <runner/gather_program.hpp>
-#include <runner/gather_result.hpp>
 
 #include <isa_sim/ir/linker.hpp>
 #include <isa_sim/isa/instruction.hpp>
 #include <memory_model/memory_system.hpp>
 #include <power_model/power_model.hpp>
 #include <report/metrics.hpp>
+#include <runner/gather_program.hpp>
+#include <runner/gather_result.hpp>
 #include <stereo_reference/evaluation.hpp>
 
 namespace finback::runner {

@@ -1,10 +1,9 @@
 // From what a machine counted to a report: the joint between the simulator's rooms and the report.
 #pragma once
 
-#include <runner/run_firmware.hpp>
-
 #include <isa_sim/ir/image.hpp>
 #include <isa_sim/machine/machine.hpp>
+#include <runner/run_firmware.hpp>
 
 namespace finback::runner {
 

@@ -1,10 +1,11 @@
 #include <fmt/format.h>
-#include <runner/gather_result.hpp>
-#include <runner/run_firmware.hpp>
+#include <utility>
 
 #include <common/error.hpp>
 #include <isa_sim/ir/linker.hpp>
 #include <isa_sim/machine/machine.hpp>
+#include <runner/gather_result.hpp>
+#include <runner/run_firmware.hpp>
 
 namespace finback::runner {
 
@@ -43,7 +44,7 @@ std::string complaint(const machine::StopInfo& stop, machine::HostPort& host, do
 
 RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
   const ir::FirmwareUnits& units = inputs.firmware.firmware.units;
-  const ir::Image image = ir::link(units, inputs.firmware.firmware.placement, inputs.machine->map);
+  ir::Image image = ir::link(units, inputs.firmware.firmware.placement, inputs.machine->map);
   machine::Machine machine(*inputs.machine, image);
   machine::HostPort& host = machine.host();
   host.set_frames({{inputs.scene.left.pixels(), inputs.scene.right.pixels()}}, inputs.frames);
@@ -70,6 +71,10 @@ RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
   }
   outcome.result = gather_result(inputs, image, machine, stop.time);
   outcome.maps = host.maps();
+  for (const CoreId core : {CoreId::a, CoreId::b}) {
+    outcome.profiles[static_cast<std::size_t>(core)] = machine.profile(core);
+  }
+  outcome.image = std::move(image);
   return outcome;
 }
 

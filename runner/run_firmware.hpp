@@ -4,6 +4,7 @@
 // what its rooms counted into one report::RunResult. Touches no file but those it is told to load.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -13,7 +14,9 @@
 #include <string>
 #include <vector>
 
+#include <isa_sim/core/profile.hpp>
 #include <isa_sim/ir/firmware.hpp>
+#include <isa_sim/ir/image.hpp>
 #include <isa_sim/machine/host_port.hpp>
 #include <isa_sim/machine/machine_description.hpp>
 #include <power_model/power_parameters.hpp>
@@ -57,6 +60,9 @@ struct RunOutcome {
   bool cancelled = false;  // then the rest is empty
   report::RunResult result;
   std::vector<machine::PublishedMap> maps;
+  // What annotations are made from.
+  ir::Image image;
+  std::array<core::CoreProfile, kCoreCount> profiles;
 };
 
 // Throws InputError when the image cannot be linked, GuestFault when the program does what the

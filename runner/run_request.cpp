@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <optional>
-#include <runner/run_request.hpp>
 #include <utility>
 
 #include <common/file.hpp>
 #include <common/parameter.hpp>
 #include <power_model/power_file.hpp>
+#include <runner/run_request.hpp>
 
 namespace finback::runner {
 

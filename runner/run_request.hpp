@@ -4,13 +4,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <runner/run_firmware.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <common/error.hpp>
 #include <common/toml_reader.hpp>
+#include <runner/run_firmware.hpp>
 
 namespace finback::runner {
 

@@ -38,14 +38,13 @@ class BfinAsmPrinter : public AsmPrinter {
   void write_name(const GlobalValue& global, const MCSymbol& symbol, StringRef type, Align align);
   void add_file(StringRef path);
   void write_location(const MachineInstr& inst);
+  void write_place(StringRef path, unsigned line, unsigned column);
   MCInst lower(const MachineInstr& inst);
   MCOperand lower_operand(const MachineOperand& operand);
 
   std::map<std::string, unsigned, std::less<>> files_;
   std::tuple<unsigned, unsigned, unsigned> last_location_;
 };
-
-std::string path_of(const DILocation& location) { return location.getFilename().str(); }
 
 void BfinAsmPrinter::add_file(StringRef path) {
   auto [entry, added] = files_.try_emplace(path.str(), files_.size() + 1);
@@ -58,11 +57,15 @@ void BfinAsmPrinter::emitStartOfAsmFile(Module& module) {
   // The C file itself first, then the headers that left code in it.
   for (const DICompileUnit* unit : module.debug_compile_units())
     add_file(unit->getFilename());
-  for (const Function& function : module)
+  for (const Function& function : module) {
+    if (const DISubprogram* subprogram = function.getSubprogram();
+        subprogram != nullptr && !function.isDeclaration())
+      add_file(subprogram->getFilename());
     for (const BasicBlock& block : function)
       for (const Instruction& inst : block)
         if (const DILocation* location = inst.getDebugLoc().get())
           add_file(location->getFilename());
+  }
 }
 
 void BfinAsmPrinter::write_name(const GlobalValue& global, const MCSymbol& symbol, StringRef type,
@@ -103,6 +106,9 @@ void BfinAsmPrinter::emitFunctionEntryLabel() {
   last_location_ = {};
   write_name(MF->getFunction(), *CurrentFnSym, "function", MF->getAlignment());
   OutStreamer->emitLabel(CurrentFnSym);
+  // The prologue has no place of its own in the source: it belongs to the function's line.
+  if (const DISubprogram* subprogram = MF->getFunction().getSubprogram())
+    write_place(subprogram->getFilename(), subprogram->getLine(), 0);
 }
 
 void BfinAsmPrinter::emitFunctionBodyEnd() {
@@ -110,18 +116,19 @@ void BfinAsmPrinter::emitFunctionBodyEnd() {
 }
 
 void BfinAsmPrinter::write_location(const MachineInstr& inst) {
-  const DILocation* location = inst.getDebugLoc().get();
-  if (location == nullptr || location->getLine() == 0)
+  if (const DILocation* location = inst.getDebugLoc().get())
+    write_place(location->getFilename(), location->getLine(), location->getColumn());
+}
+
+void BfinAsmPrinter::write_place(StringRef path, unsigned line, unsigned column) {
+  auto file = files_.find(path);
+  if (line == 0 || file == files_.end())
     return;
-  auto file = files_.find(path_of(*location));
-  if (file == files_.end())
-    return;
-  std::tuple place(file->second, location->getLine(), location->getColumn());
+  std::tuple place(file->second, line, column);
   if (place == last_location_)
     return;
   last_location_ = place;
-  write("  .loc " + Twine(file->second) + " " + Twine(location->getLine()) + " " +
-        Twine(location->getColumn()));
+  write("  .loc " + Twine(file->second) + " " + Twine(line) + " " + Twine(column));
 }
 
 MCOperand BfinAsmPrinter::lower_operand(const MachineOperand& operand) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <map>
 #include <optional>
@@ -17,7 +18,8 @@ using memory::MemoryMap;
 
 std::size_t index_of(Owner owner) { return static_cast<std::size_t>(owner); }
 
-// Where a packet was written: the C source by .loc, or else the BIR text itself.
+// Where a packet was written: the C source by .loc, or else the BIR text itself, by its name alone,
+// so that results do not tell where it lay.
 struct Line {
   std::string file;
   int line = 0;
@@ -27,7 +29,7 @@ Line line_of(const Program& unit, const Packet& packet) {
   if (packet.file > 0) {
     return {unit.source_files[static_cast<std::size_t>(packet.file)], packet.line};
   }
-  return {unit.path, packet.written.line};
+  return {std::filesystem::path(unit.path).filename().string(), packet.written.line};
 }
 
 // Which half of an address `R0.L = _x` or `P0.H = _x` takes: that of the register written.

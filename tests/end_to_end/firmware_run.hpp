@@ -4,14 +4,15 @@
 #include <functional>
 #include <utility>
 
-#include <runner/run_firmware.hpp>
 #include <common/file.hpp>
+#include <runner/run_firmware.hpp>
 #include <scenes/scene.hpp>
 #include <stereo_reference/matching.hpp>
 
 namespace finback {
 
-[[nodiscard]] inline runner::RunInputs mesvs2_inputs(scenes::Scene scene, std::uint32_t frames = 1) {
+[[nodiscard]] inline runner::RunInputs mesvs2_inputs(scenes::Scene scene,
+                                                     std::uint32_t frames = 1) {
   runner::RunInputs inputs;
   inputs.firmware = runner::find_firmware("mesvs2", {});
   inputs.machine = std::make_unique<machine::MachineDescription>();

@@ -15,7 +15,8 @@ Bytes level_bytes(const report::RunResult& result, const std::string& level,
 Cycles core_cycles(const report::RunResult& result) { return result.counters.at("core_b.cycles"); }
 
 TEST(Placement, MovingABufferChangesCyclesAndTrafficButNoMap) {
-  const runner::RunOutcome before = runner::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene()));
+  const runner::RunOutcome before =
+      runner::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene()));
   runner::RunInputs inputs = mesvs2_inputs(scenes::make_synthetic_scene());
   inputs.firmware.firmware.placement.override_object(ir::Owner::core_b, "left_keys", "l3");
   const runner::RunOutcome after = runner::run_firmware(inputs);
@@ -65,8 +66,10 @@ TEST(Timing, SlowMachineComputesTheSameMaps) {
 }
 
 TEST(Determinism, TwoRunsCountTheSame) {
-  const runner::RunOutcome one = runner::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene(), 2));
-  const runner::RunOutcome two = runner::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene(), 2));
+  const runner::RunOutcome one =
+      runner::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene(), 2));
+  const runner::RunOutcome two =
+      runner::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene(), 2));
   ASSERT_EQ(one.result.counters.size(), two.result.counters.size());
   for (const auto& [name, value] : one.result.counters) {
     EXPECT_EQ(value, two.result.counters.at(name)) << name;
