@@ -24,6 +24,7 @@ void add_run_command(CLI::App& app, Action& action);
 void add_check_command(CLI::App& app, Action& action);
 void add_profile_command(CLI::App& app, Action& action);
 void add_annotate_command(CLI::App& app, Action& action);
+void add_explore_command(CLI::App& app, Action& action);
 void add_machine_command(CLI::App& app, Action& action);
 void add_isa_command(CLI::App& app, Action& action);
 
