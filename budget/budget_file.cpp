@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <fmt/format.h>
+#include <tuple>
 
 #include <budget/budget_file.hpp>
 
@@ -70,6 +72,10 @@ Budget read_budget(const TomlReader& reader) {
   budget.sources = folder / reader.string(root, "sources");
   if (const toml::table* limits = reader.table(root, "limits")) {
     LimitReader(reader, budget).read_table("", *limits);
+    std::ranges::stable_sort(budget.limits, [](const Limit& left, const Limit& right) {
+      return std::tie(left.written.line, left.written.column) <
+             std::tie(right.written.line, right.written.column);
+    });
   }
   return budget;
 }

@@ -153,16 +153,17 @@ int update_baseline(const budget::Budget& budget, const Judged& judged) {
   return kFine;
 }
 
+// The terminal first: a report that cannot be written must not hide the verdict.
 int report_verdict(const Options& options, const budget::Verdict& verdict) {
+  fmt::print("{}", budget::to_text(verdict, options.all));
+  if (options.github) {
+    fmt::print("{}", budget::to_github(verdict));
+  }
   if (!options.junit.empty()) {
     write_file_whole(options.junit, budget::to_junit(verdict));
   }
   if (!options.markdown.empty()) {
     write_file_whole(options.markdown, budget::to_markdown(verdict));
-  }
-  fmt::print("{}", budget::to_text(verdict, options.all));
-  if (options.github) {
-    fmt::print("{}", budget::to_github(verdict));
   }
   return verdict.passed() ? kFine : kBudgetBroken;
 }
