@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kStallWidth = 22;
+constexpr std::size_t kStallWidth = 32;
 // The left columns, and where what stands beside them begins.
 constexpr std::size_t kSourceColumn = 12 + 1 + 6 + 1 + 11 + 2 + kStallWidth + 1;
 constexpr std::size_t kLabelColumn = kSourceColumn + 8;
@@ -30,7 +30,7 @@ std::string columns(const Row& row, Cycles whole, const Style& style) {
   }
   const double share = percent(row.cycles, whole);
   return style.heat(fmt::format("{:>12} {:>6.1f}", row.cycles, share), share) +
-         fmt::format(" {:>11}  {:<{}}", row.executions, largest_stall(row.causes, row.cycles),
+         fmt::format(" {:>11}  {:<{}}", row.executions, largest_stalls(row.causes, row.cycles),
                      kStallWidth);
 }
 
@@ -108,7 +108,7 @@ std::string to_text(const Annotation& annotation, const Style& style) {
   int previous = 0;
   for (const AnnotatedLine& line : annotation.lines) {
     if (file == nullptr || *file != line.file) {
-      page.line("\n{:>12} {:>6} {:>11}  {:<{}} {}", "cycles", "%", "executions", "stalled most by",
+      page.line("\n{:>12} {:>6} {:>11}  {:<{}} {}", "cycles", "%", "executions", "stalled by",
                 kStallWidth, line.file.empty() ? "(code without a line)" : line.file);
       file = &line.file;
     } else if (line.line > previous + 1) {

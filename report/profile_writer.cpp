@@ -18,11 +18,12 @@ void write_lines(Page& page, const RunResult& r, const ProfileView& view) {
       rows.push_back(&line);
     }
   }
-  std::ranges::stable_sort(rows, std::greater<>(), [](const Line* line) { return line->cycles; });
+  std::ranges::stable_sort(rows, std::greater<>(),
+                           [](const Line* line) { return awake(line->cycles, line->causes); });
   const std::size_t shown = std::min(rows.size(), view.most);
-  page.title(fmt::format("{:<28} {:<24} {:<6} {:>12} {:>6}  {:<20}",
+  page.title(fmt::format("{:<28} {:<24} {:<6} {:>12} {:>6}  {}",
                          fmt::format("Lines ({} of {})", shown, rows.size()), "in function", "core",
-                         "cycles", "core %", "stalled most by"));
+                         "cycles", "core %", "stalled by"));
   for (std::size_t i = 0; i < shown; ++i) {
     const Line& line = *rows[i];
     const auto core = std::ranges::find(r.cores, line.core, &Core::name);
@@ -31,7 +32,7 @@ void write_lines(Page& page, const RunResult& r, const ProfileView& view) {
         line.line > 0 ? fmt::format("{}:{}", line.file, line.line) : "(no line)";
     page.line("  {:<26} {:<24} {:<6} {:>12} {}  {}", place, line.function.substr(0, 24), line.core,
               line.cycles, view.style.heat(fmt::format("{:>6.1f}", share), share),
-              largest_stall(line.causes, line.cycles));
+              largest_stalls(line.causes, line.cycles));
   }
 }
 
@@ -63,7 +64,7 @@ void write_function_bytes(Page& page, const RunResult& r, const ProfileView& vie
     return;
   }
   std::string heading = fmt::format(
-      "{:<28} {:<6}", fmt::format("Bytes per frame by ({} of {})", shown, rows.size()), "core");
+      "{:<28} {:<6}", fmt::format("Bytes per frame ({} of {})", shown, rows.size()), "core");
   for (const auto& [level, bytes] : rows.front()->bytes) {
     heading += fmt::format(" {:>11}", level);
   }

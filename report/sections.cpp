@@ -35,7 +35,8 @@ std::vector<ObjectRow> touched_objects(const RunResult& r) {
 }
 
 Cycles stalls_of(const Function& function) {
-  return function.exclusive - (function.causes.empty() ? 0 : function.causes.front().second);
+  return awake(function.exclusive, function.causes) -
+         (function.causes.empty() ? 0 : function.causes.front().second);
 }
 
 Cycles key_of(const Function& function, FunctionOrder order) {
@@ -47,7 +48,7 @@ Cycles key_of(const Function& function, FunctionOrder order) {
     case FunctionOrder::stalls:
       return stalls_of(function);
   }
-  return function.exclusive;
+  return awake(function.exclusive, function.causes);
 }
 
 Cycles cycles_of_core(const RunResult& r, const std::string& name) {
@@ -114,15 +115,15 @@ void write_functions(Page& page, const RunResult& r, std::size_t most, FunctionO
     return key_of(*a, order) > key_of(*b, order);
   });
   const std::size_t shown = std::min(rows.size(), most);
-  page.title(fmt::format("{:<28} {:<6} {:>7} {:>12} {:>6} {:>12}  {:<22}",
+  page.title(fmt::format("{:<28} {:<6} {:>7} {:>12} {:>6} {:>12}  {}",
                          fmt::format("Functions ({} of {})", shown, rows.size()), "core", "calls",
-                         "exclusive", "core %", "inclusive", "stalled most by"));
+                         "exclusive", "core %", "inclusive", "stalled by"));
   for (std::size_t i = 0; i < shown; ++i) {
     const Function& f = *rows[i];
     const double share = percent(f.exclusive, cycles_of_core(r, f.core));
     page.line("  {:<26} {:<6} {:>7} {:>12} {} {:>12}  {}", f.name.substr(0, 26), f.core, f.calls,
               f.exclusive, style.heat(fmt::format("{:>6.1f}", share), share), f.inclusive,
-              largest_stall(f.causes, f.exclusive));
+              largest_stalls(f.causes, f.exclusive));
   }
 }
 

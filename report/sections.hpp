@@ -16,7 +16,8 @@ enum class FunctionOrder : std::uint8_t { exclusive, inclusive, stalls };
 void write_cores(Page& page, const RunResult& result);
 // Bytes a frame by level and initiator.
 void write_traffic(Page& page, const RunResult& result);
-// The `most` functions that cost most; `core`: of one core only, "": of both.
+// The `most` functions that cost most, time asleep not counted where cycles of their own decide;
+// `core`: of one core only, "": of both.
 void write_functions(Page& page, const RunResult& result, std::size_t most,
                      FunctionOrder order = FunctionOrder::exclusive, const std::string& core = "",
                      const Style& style = {});

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Writes the golden traces and the firmware's budget baseline anew from the present build
-# (traces/README.md, docs/finback-check.md). Review what changes before you commit it:
-# git diff traces firmware/budgets.
+# Writes the golden traces, the firmware's budget baseline and the output in the manual's examples
+# anew from the present build (traces/README.md, docs/finback-check.md). Review what changes before
+# you commit it: git diff traces firmware/budgets docs.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -12,4 +12,6 @@ trap 'rm -r "$out"' EXIT
 build/release/bin/finback run --scene aloe --frames 4 --out "$out" \
   --trace-counters traces/mesvs2_aloe.json
 build/release/bin/finback check firmware/budgets/mesvs2.toml --update-baseline
-git --no-pager diff --stat -- traces firmware/budgets
+# The examples of the manual pages, which show what is printed.
+FINBACK_REFRESH=1 ctest --preset release --tests-regex PagesSay
+git --no-pager diff --stat -- traces firmware/budgets docs
