@@ -2,13 +2,33 @@
 // an exit code.
 #include <exception>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <string>
+#include <vector>
 
 #include <cli/commands.hpp>
 #include <common/error.hpp>
+#include <common/parameter.hpp>
 
 namespace {
 
 using namespace finback::cli;
+
+// What is wrong with the command line; a command that does not exist gets the nearest that does.
+std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int argc,
+                          char** argv) {
+  if (argc < 2 || argv[1][0] == '-' || !app.get_subcommands().empty()) {
+    return error.what();
+  }
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) {
+    known.push_back(command->get_name());
+  }
+  const std::string near = finback::nearest_name(argv[1], known);
+  return fmt::format("there is no command '{}', {}", argv[1],
+                     near.empty() ? fmt::format("but {}", fmt::join(known, ", "))
+                                  : fmt::format("did you mean '{}'?", near));
+}
 
 int parse_and_run(int argc, char** argv) {
   CLI::App app{
@@ -32,7 +52,8 @@ int parse_and_run(int argc, char** argv) {
     if (error.get_exit_code() == 0) {  // --help, --version
       return app.exit(error);
     }
-    fmt::print(stderr, "finback: {} (finback --help shows how)\n", error.what());
+    fmt::print(stderr, "finback: {} (finback --help shows how)\n",
+               usage_message(app, error, argc, argv));
     return kUsage;
   }
   return action();

@@ -177,6 +177,15 @@ TEST_F(Errors, InterruptLeavesNothing) {
   EXPECT_EQ(files(), (std::vector<std::string>{"main.bir"}));
 }
 
+TEST_F(Errors, UnknownCommandNamesTheNearest) {
+  const Finished near = finback({"runn", "--frames", "1"});
+  EXPECT_EQ(near.exit_code, 1);
+  EXPECT_THAT(near.err, HasSubstr("there is no command 'runn', did you mean 'run'?"));
+  const Finished far = finback({"xyzzyplugh"});
+  EXPECT_EQ(far.exit_code, 1);
+  EXPECT_THAT(far.err, HasSubstr("there is no command 'xyzzyplugh', but run, "));
+}
+
 TEST_F(Errors, MissedTargetWithCheckIsThree) {
   const std::vector<std::string> run = {
       "run",   "--scene", "synthetic", "--frames", "2", "--place", "core_b.shd_scores=l3",
