@@ -1,7 +1,7 @@
 // What differs between two results: functions by cause and line, objects by place and traffic.
 //
 // Time asleep (idle) is kept apart: it is a consequence of what the other core does. Lines of
-// source are matched by their order and their cost, not by their number, so that a line that was
+// source are matched by their order and their work, not by their number, so that a line that was
 // inserted above does not make all those below it look changed.
 #pragma once
 

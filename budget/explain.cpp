@@ -116,8 +116,14 @@ class Sorter {
   }
 
   [[nodiscard]] StoryKey core_key(const std::string& core) const {
+    std::int64_t work = 0;
+    std::int64_t idle = 0;
+    for (const FunctionChange& function : changes_.functions) {
+      work += function.core == core ? sign_ * function.cycles() : 0;
+      idle += function.core == core ? sign_ * function.idle : 0;
+    }
     const std::string family = largest_family(core);
-    if (family.empty()) {
+    if (family.empty() || (against_ && idle > std::max<std::int64_t>(0, work))) {
       return waiting_key(core);
     }
     return cycles_key(core, against_ ? family : "");

@@ -19,17 +19,19 @@ Cost cycles_of(const report::Line& line) {
   return cycles;
 }
 
-// What would have to be told when these are one line: the cycles that differ. Doubled, with one
-// more for another number: of pairings that tell the same, that which keeps the numbers is taken.
+// How unlike two lines are by the packets that they issue, which say what a line does, whatever it
+// waits for. Doubled, with one more for another number: of pairings that are as good, that which
+// keeps the numbers is taken.
 Cost pair_cost(const report::Line& before, const report::Line& after) {
   if (before.file != after.file) {
     return std::numeric_limits<Cost>::max() / 4;
   }
-  return 2 * std::abs(cycles_of(after) - cycles_of(before)) + (before.line == after.line ? 0 : 1);
+  return 2 * std::abs(static_cast<Cost>(after.packets) - static_cast<Cost>(before.packets)) +
+         (before.line == after.line ? 0 : 1);
 }
 
-// Lines without a partner tell all their cycles.
-Cost single_cost(const report::Line& line) { return 2 * cycles_of(line) + 1; }
+// A line without a partner.
+Cost single_cost(const report::Line& line) { return 2 * static_cast<Cost>(line.packets) + 1; }
 
 // The alignment of two lists by dynamic programming: for each of `after` its partner or nullptr.
 class Alignment {

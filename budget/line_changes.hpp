@@ -15,8 +15,8 @@ inline constexpr std::string_view kIdle = "idle";
 [[nodiscard]] CauseChanges compare_causes(const report::CyclesByCause& before,
                                           const report::CyclesByCause& after);
 
-// Pairs the lines of one function, both lists ordered by file and line, so that what is left to
-// tell is as little as can be, keeping their order. Lines that are gone are left out.
+// Pairs the lines of one function, both lists ordered by file and line: keeping their order, so
+// that as few packets as can be are in another line than before. Lines that are gone are left out.
 [[nodiscard]] std::vector<LineChange> compare_lines(const std::vector<const report::Line*>& before,
                                                     const std::vector<const report::Line*>& after);
 

@@ -34,7 +34,17 @@ std::string number_text(double value) {
   return grouped(text);
 }
 
-std::string exact_text(double value) { return grouped(fmt::format("{}", value)); }
+std::pair<std::string, std::string> distinct_texts(double left, double right) {
+  constexpr int kFirst = 6;  // significant digits; 17 tell all numbers apart
+  constexpr int kLast = 17;
+  std::pair<std::string, std::string> texts = {number_text(left), number_text(right)};
+  for (int digits = kFirst; digits <= kLast && texts.first == texts.second && left != right;
+       ++digits) {
+    texts = {grouped(fmt::format("{:.{}g}", left, digits)),
+             grouped(fmt::format("{:.{}g}", right, digits))};
+  }
+  return texts;
+}
 
 std::string signed_text(std::int64_t value) {
   return (value < 0 ? "-" : "+") + grouped(fmt::format("{}", std::abs(value)));
@@ -48,8 +58,16 @@ std::string percent_text(double before, double after) {
     return "from 0";
   }
   const double percent = 100 * (after - before) / std::abs(before);
-  return std::abs(percent) >= 0.1 ? fmt::format("{:+.1f} %", percent)
-                                  : fmt::format("{:+.1g} %", percent);
+  constexpr double kLarge = 1000;
+  constexpr double kOneDecimal = 0.1;
+  constexpr double kSmall = 0.001;
+  if (percent >= kLarge && before > 0) {
+    return fmt::format("x {}", number_text(std::round(after / before)));
+  }
+  if (std::abs(percent) < kSmall) {
+    return "<0.001 %";
+  }
+  return fmt::format("{:+.{}f} %", percent, std::abs(percent) >= kOneDecimal ? 1 : 3);
 }
 
 }  // namespace finback::budget

@@ -12,6 +12,9 @@ namespace finback::budget {
 
 namespace {
 
+// Functions that limits are about are told, too, up to so many.
+constexpr std::size_t kMostTold = 8;
+
 // A change with its sign, or without a baseline a plain count.
 std::string amount_text(std::int64_t amount, const StoryKey& key) {
   return key.against ? signed_text(amount) : number_text(static_cast<double>(amount));
@@ -51,7 +54,7 @@ class CyclesTeller {
       add_function(*function);
     }
     if (left_out_ > 0) {
-      detail("", fmt::format("{} more function{} {}", left_out_, left_out_ == 1 ? "" : "s",
+      detail("", fmt::format("{} more function{} {} cycles", left_out_, left_out_ == 1 ? "" : "s",
                              amount_text(left_out_cycles_, key_)));
     }
     add_gone();
@@ -64,7 +67,7 @@ class CyclesTeller {
     return budget::change_of(function, key_.family);
   }
 
-  // The largest, and those that limits are about.
+  // The largest, and of the others those that limits are about.
   void select_functions(const std::set<std::string>& subjects) {
     std::vector<const FunctionChange*> grown;
     for (const FunctionChange& function : changes_.functions) {
@@ -77,7 +80,7 @@ class CyclesTeller {
       return std::abs(amount(*left)) > std::abs(amount(*right));
     });
     for (std::size_t i = 0; i < grown.size(); ++i) {
-      if (i < kTold || subjects.contains(grown[i]->name)) {
+      if (i < kTold || (told_.size() < kMostTold && subjects.contains(grown[i]->name))) {
         told_.push_back(grown[i]);
       } else {
         ++left_out_;

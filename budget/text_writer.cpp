@@ -2,7 +2,7 @@
 #include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <iterator>
+#include <tuple>
 
 #include <budget/numbers.hpp>
 #include <budget/writers.hpp>
@@ -95,12 +95,8 @@ void add_reasons(std::string& text, const Verdict& verdict) {
 CheckRow row_of(const Check& check) {
   CheckRow row;
   row.metric = check.metric;
-  row.value = number_text(check.value);
-  std::string bound = number_text(check.bound);
-  if (row.value == bound && check.value != check.bound) {
-    row.value = exact_text(check.value);
-    bound = exact_text(check.bound);
-  }
+  std::string bound;
+  std::tie(row.value, bound) = distinct_texts(check.value, check.bound);
   row.limit = fmt::format("{} {}", check.limit->demand.relation_text(), bound);
   row.origin = check.limit->demand.origin_text();
   row.baseline = !check.baseline || check.is_new ? "-" : number_text(*check.baseline);

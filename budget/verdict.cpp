@@ -70,7 +70,7 @@ std::vector<std::string> changed_inputs(const report::Provenance& before,
     if (from.name != to.name) {
       changed.push_back(fmt::format("{} {} -> {}", what, from.name, to.name));
     } else if (from.hash != to.hash) {
-      changed.push_back(fmt::format("{} {}", what, to.name));
+      changed.push_back(fmt::format("{} {} has other contents", what, to.name));
     }
   };
   add("firmware", before.firmware, now.firmware);
@@ -97,11 +97,11 @@ std::vector<Headline> headlines_of(const Metrics& now, const Metrics* baseline) 
 }
 
 std::string headline_text(const Headline& headline) {
-  const std::string value = fmt::format("{} {}", number_text(headline.value), headline.unit);
   if (!headline.baseline || *headline.baseline == headline.value) {
-    return value;
+    return fmt::format("{} {}", number_text(headline.value), headline.unit);
   }
-  return fmt::format("{} -> {} ({})", number_text(*headline.baseline), value,
+  const auto [before, now] = distinct_texts(*headline.baseline, headline.value);
+  return fmt::format("{} -> {} {} ({})", before, now, headline.unit,
                      percent_text(*headline.baseline, headline.value));
 }
 

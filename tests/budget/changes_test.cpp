@@ -87,6 +87,17 @@ std::vector<std::pair<int, std::int64_t>> line_changes(
   return changes;
 }
 
+TEST(Lines, ThatWaitAreTheSame) {
+  std::vector<report::Line> before = source({{10, 100}, {11, 200}, {12, 300}});
+  std::vector<report::Line> after = before;
+  after[0].causes.emplace_back("l3_read", 100);  // as dear as line 11 was
+  const std::vector<LineChange> changes =
+      compare_lines({&before[0], &before[1], &before[2]}, {&after[0], &after[1], &after[2]});
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes[0].line, 10);
+  EXPECT_EQ(changes[0].causes, (CauseChanges{{"l3_read", 100}}));
+}
+
 using Pairs = std::vector<std::pair<int, std::int64_t>>;
 
 TEST(Lines, ThatGrewAreTold) {

@@ -79,6 +79,18 @@ TEST_F(Why, AWaitingCoreIsExplainedByTheOther) {
   EXPECT_EQ(why[0].checks.size(), 2U);
 }
 
+TEST_F(Why, AFewCyclesOfItsOwnDoNotExplainAWaitingCore) {
+  slow_down(now, "match", 11, "l3_read", 5'000);
+  function(now, "wait").causes.front().second += 10;
+  function(now, "wait").inclusive += 10;
+  function(now, "wait").exclusive += 10;
+  const auto& why =
+      of("core_a.cycles = \"<= baseline\"\n"
+         "function.core_a.wait.inclusive_cycles = \"<= baseline\"\n");
+  ASSERT_EQ(why.size(), 1U);
+  EXPECT_THAT(why[0].headline, StartsWith("core_b: more waiting for data in L3"));
+}
+
 TEST_F(Why, IdleIsNamedWhenNothingElseGrew) {
   slow_down(now, "match", 11, "idle", 700);
   const auto& why = of("cycles = \"<= baseline\"\n");

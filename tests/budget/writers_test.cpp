@@ -45,7 +45,9 @@ TEST(Numbers, AreGrouped) {
 
 TEST(Numbers, TellChanges) {
   EXPECT_EQ(percent_text(100, 169), "+69.0 %");
-  EXPECT_EQ(percent_text(100'000, 99'999), "-0.001 %");
+  EXPECT_EQ(percent_text(100'000, 99'996), "-0.004 %");
+  EXPECT_EQ(percent_text(1e9, 1e9 + 1), "<0.001 %");
+  EXPECT_EQ(percent_text(145, 223'370), "x 1,540");
   EXPECT_EQ(percent_text(5, 5), "0 %");
   EXPECT_EQ(percent_text(0, 5), "from 0");
 }
