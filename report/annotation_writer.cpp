@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include <report/annotation_writer.hpp>
+#include <report/named_numbers.hpp>
 
 namespace finback::report {
 
@@ -12,15 +13,6 @@ constexpr std::size_t kStallWidth = 32;
 // The left columns, and where what stands beside them begins.
 constexpr std::size_t kSourceColumn = 12 + 1 + 6 + 1 + 11 + 2 + kStallWidth + 1;
 constexpr std::size_t kLabelColumn = kSourceColumn + 8;
-
-template <class Pairs>
-Json named_numbers(const Pairs& pairs) {
-  Json object = Json::object();
-  for (const auto& [name, number] : pairs) {
-    object[name] = number;
-  }
-  return object;
-}
 
 // What the columns on the left say of a line or a packet.
 template <class Row>

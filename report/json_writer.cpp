@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include <report/json_writer.hpp>
+#include <report/named_numbers.hpp>
 
 namespace finback::report {
 
@@ -14,16 +15,6 @@ Json provenance(const Provenance& p) {
   return {{"tool_version", p.tool_version},       {"firmware", ingredient(p.firmware)},
           {"placement", ingredient(p.placement)}, {"machine", ingredient(p.machine)},
           {"power", ingredient(p.power)},         {"scene", ingredient(p.scene)}};
-}
-
-// Pairs (name, number) as one object.
-template <class Pairs>
-Json named_numbers(const Pairs& pairs) {
-  Json object = Json::object();
-  for (const auto& [name, number] : pairs) {
-    object[name] = number;
-  }
-  return object;
 }
 
 // Everything but work is a stall; `issue` stands beside them as its own key.
