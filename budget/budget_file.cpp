@@ -15,7 +15,7 @@ class LimitReader {
 
   void read_table(const std::string& prefix, const toml::table& table) {
     for (const auto& [key, node] : TomlReader::in_order(table)) {
-      const std::string name = prefix.empty() ? key : prefix + "." + key;
+      const std::string name = prefix.empty() ? key : fmt::format("{}.{}", prefix, key);
       if (const toml::table* inner = node->as_table()) {
         read_table(name, *inner);
       } else {

@@ -210,11 +210,11 @@ class Sorter {
         top = &object;
       }
     }
-    const StoryKey by_bytes{Topic::bytes, "", level, true, against_};
+    StoryKey by_bytes{Topic::bytes, "", level, true, against_};
     if (top == nullptr || !top->moved()) {
       return by_bytes;
     }
-    const StoryKey key = object_key(*top);
+    StoryKey key = object_key(*top);
     return key.topic == Topic::cycles ? key : by_bytes;
   }
 

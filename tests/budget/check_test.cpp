@@ -38,6 +38,7 @@ std::string refused(const std::string& limits) {
 
 std::vector<std::string> metrics_of(const std::vector<Check>& checks) {
   std::vector<std::string> names;
+  names.reserve(checks.size());
   for (const Check& check : checks) {
     names.push_back((check.holds ? "" : "!") + check.metric);
   }
@@ -49,6 +50,7 @@ TEST(Limits, AreReadFromTablesOfTables) {
       "a.b.c = \"<= 1\"\n\"a.b.d\" = [\"<= 2\", \">= baseline\"]\n"
       "[limits.a.\"x.y\"]\nz = \"== 3\"\n");
   std::vector<std::string> texts;
+  texts.reserve(budget.limits.size());
   for (const Limit& limit : budget.limits) {
     texts.push_back(limit.text());
   }
