@@ -61,10 +61,20 @@ TEST(Changes, TellWhatMoved) {
 // A line of source by its number and its cycles.
 std::vector<report::Line> source(const std::vector<std::pair<int, Cycles>>& lines) {
   std::vector<report::Line> rows;
+  rows.reserve(lines.size());
   for (const auto& [number, cycles] : lines) {
     rows.push_back(line_of("match", "match.c", number, "issue", cycles));
   }
   return rows;
+}
+
+std::vector<const report::Line*> pointers(const std::vector<report::Line>& rows) {
+  std::vector<const report::Line*> lines;
+  lines.reserve(rows.size());
+  for (const report::Line& row : rows) {
+    lines.push_back(&row);
+  }
+  return lines;
 }
 
 std::vector<std::pair<int, std::int64_t>> line_changes(
@@ -72,27 +82,18 @@ std::vector<std::pair<int, std::int64_t>> line_changes(
     const std::vector<std::pair<int, Cycles>>& after) {
   const std::vector<report::Line> old_rows = source(before);
   const std::vector<report::Line> new_rows = source(after);
-  std::vector<const report::Line*> old_lines;
-  std::vector<const report::Line*> new_lines;
-  for (const report::Line& row : old_rows) {
-    old_lines.push_back(&row);
-  }
-  for (const report::Line& row : new_rows) {
-    new_lines.push_back(&row);
-  }
   std::vector<std::pair<int, std::int64_t>> changes;
-  for (const LineChange& change : compare_lines(old_lines, new_lines)) {
+  for (const LineChange& change : compare_lines(pointers(old_rows), pointers(new_rows))) {
     changes.emplace_back(change.line, change.cycles);
   }
   return changes;
 }
 
 TEST(Lines, ThatWaitAreTheSame) {
-  std::vector<report::Line> before = source({{10, 100}, {11, 200}, {12, 300}});
+  const std::vector<report::Line> before = source({{10, 100}, {11, 200}, {12, 300}});
   std::vector<report::Line> after = before;
   after[0].causes.emplace_back("l3_read", 100);  // as dear as line 11 was
-  const std::vector<LineChange> changes =
-      compare_lines({&before[0], &before[1], &before[2]}, {&after[0], &after[1], &after[2]});
+  const std::vector<LineChange> changes = compare_lines(pointers(before), pointers(after));
   ASSERT_EQ(changes.size(), 1U);
   EXPECT_EQ(changes[0].line, 10);
   EXPECT_EQ(changes[0].causes, (CauseChanges{{"l3_read", 100}}));
