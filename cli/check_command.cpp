@@ -153,6 +153,13 @@ int update_baseline(const budget::Budget& budget, const Judged& judged) {
   return kFine;
 }
 
+// Also makes the folder that it is to go to; write_file_whole says when that could not be done.
+void write_report(const fs::path& path, const std::string& text) {
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  write_file_whole(path, text);
+}
+
 // The terminal first: a report that cannot be written must not hide the verdict.
 int report_verdict(const Options& options, const budget::Verdict& verdict) {
   fmt::print("{}", budget::to_text(verdict, options.all));
@@ -160,10 +167,10 @@ int report_verdict(const Options& options, const budget::Verdict& verdict) {
     fmt::print("{}", budget::to_github(verdict));
   }
   if (!options.junit.empty()) {
-    write_file_whole(options.junit, budget::to_junit(verdict));
+    write_report(options.junit, budget::to_junit(verdict));
   }
   if (!options.markdown.empty()) {
-    write_file_whole(options.markdown, budget::to_markdown(verdict));
+    write_report(options.markdown, budget::to_markdown(verdict));
   }
   return verdict.passed() ? kFine : kBudgetBroken;
 }

@@ -71,8 +71,8 @@ TEST_F(CheckCommand, FindsNoDifferenceInTheSame) {
 }
 
 TEST_F(CheckCommand, NamesTheBufferThatMovedAndWhoWaitsForIt) {
-  const Finished moved = check(
-      {"--place", "core_b.shd_scores=l3", "--junit", "j.xml", "--markdown", "m.md", "--github"});
+  const Finished moved = check({"--place", "core_b.shd_scores=l3", "--junit", "out/j.xml",
+                                "--markdown", "out/m.md", "--github"});
   EXPECT_EQ(moved.exit_code, 3) << moved.err;
   EXPECT_THAT(moved.out,
               HasSubstr("Changed: placement placement.toml -> placement.toml + 1 moved"));
@@ -83,8 +83,8 @@ TEST_F(CheckCommand, NamesTheBufferThatMovedAndWhoWaitsForIt) {
   EXPECT_THAT(moved.out, ContainsRegex("mesvs2/shd.c:[0-9]+ \\+[0-9,]+ cycles: l3_read"));
   EXPECT_THAT(moved.out, ContainsRegex("shd_scores: l1.data.a -> l3, \\+[0-9,]+ stall cycles"));
   EXPECT_THAT(moved.out, ContainsRegex("::error file=firmware/mesvs2/shd.c,line=[0-9]+,title="));
-  EXPECT_THAT(text("j.xml"), AllOf(HasSubstr("<failure"), HasSubstr("shd_scores: l1.data.a")));
-  EXPECT_THAT(text("m.md"), AllOf(HasSubstr("**Why**"), HasSubstr("shd\\_scores: l1.data.a")));
+  EXPECT_THAT(text("out/j.xml"), AllOf(HasSubstr("<failure"), HasSubstr("shd_scores: l1.data.a")));
+  EXPECT_THAT(text("out/m.md"), AllOf(HasSubstr("**Why**"), HasSubstr("shd\\_scores: l1.data.a")));
 }
 
 TEST_F(CheckCommand, NamesTheLoopThatGotSlowerUntilThatIsTheBaseline) {
