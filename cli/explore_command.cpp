@@ -243,7 +243,8 @@ void add_explore_command(CLI::App& app, Action& action) {
       ->type_name("COLUMN");
   command->add_flag("--descending", options->table.descending, "The largest first");
   command->add_option("--limit", options->table.limit, "Rows of the table; 0: all")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
   command->add_option("--point", options->point, "Only print the command that runs this point")
       ->type_name("N")
       ->check(CLI::PositiveNumber);

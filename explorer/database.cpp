@@ -9,7 +9,7 @@ namespace finback::explorer {
 namespace {
 
 // How long another program may hold the file, in milliseconds: to read it, or to write a row.
-constexpr int kPatience = 3000;
+constexpr int kPatience = 2000;
 
 }  // namespace
 

@@ -247,11 +247,20 @@ class TableWriter {
     }
     line("\nFront (*): {} of {} points, from the thriftiest to the fastest: {}", numbers.size(),
          done, fmt::join(numbers, " "));
+    const Row& fastest = first_as_fast_as(findings_.rows[findings_.front.back()]);
     line("  thriftiest  {}", describe(findings_.rows[findings_.front.front()]));
-    line("  fastest     {}", describe(findings_.rows[findings_.front.back()]));
+    line("  fastest     {}", describe(fastest));
     if (space_.goal.empty()) {
-      write_command(findings_.rows[findings_.front.back()]);
+      write_command(fastest);
     }
+  }
+
+  // Of equal points of the front the one with the smallest number.
+  [[nodiscard]] const Row& first_as_fast_as(const Row& row) const {
+    const auto found = std::ranges::find_if(findings_.front, [&](std::size_t index) {
+      return findings_.rows[index].value("frames_per_second") == row.value("frames_per_second");
+    });
+    return findings_.rows[*found];
   }
 
   void write_goal() {
