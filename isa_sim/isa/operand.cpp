@@ -34,6 +34,7 @@ constexpr std::array kKinds = {
     Kind{OperandKind::pointer_list, "Plist", {}},
     Kind{OperandKind::imm3, "imm3", ImmediateRange{-4, 3, 1}},
     Kind{OperandKind::imm4, "imm4", ImmediateRange{-8, 7, 1}},
+    Kind{OperandKind::imm6, "imm6", ImmediateRange{-32, 31, 1}},
     Kind{OperandKind::imm7, "imm7", ImmediateRange{-64, 63, 1}},
     Kind{OperandKind::imm16, "imm16", ImmediateRange{-32768, 32767, 1}},
     Kind{OperandKind::uimm3, "uimm3", ImmediateRange{0, 7, 1}},

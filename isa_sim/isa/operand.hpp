@@ -36,6 +36,7 @@ enum class OperandKind : std::uint8_t {
   // immediates: the table in operand.cpp has bits, sign and scale of each
   imm3,
   imm4,
+  imm6,
   imm7,
   imm16,
   uimm3,

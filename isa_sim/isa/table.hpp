@@ -13,6 +13,7 @@ namespace finback::isa {
 [[nodiscard]] std::span<const Instruction> move_instructions();
 [[nodiscard]] std::span<const Instruction> arithmetic_instructions();
 [[nodiscard]] std::span<const Instruction> dsp_instructions();
+[[nodiscard]] std::span<const Instruction> shift_instructions();
 [[nodiscard]] std::span<const Instruction> control_instructions();
 
 }  // namespace finback::isa

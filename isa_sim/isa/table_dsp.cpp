@@ -1,5 +1,6 @@
-// 32-bit DSP instructions, slot 0 of a packet: ALU, shifter, multiplier (Programming Reference
-// chapters 13 to 19).
+// 32-bit DSP instructions, slot 0 of a packet: ALU, multiplier, bytes (Programming Reference
+// chapters 13 to 19). The shifter: table_shifts.cpp.
+#include <isa_sim/isa/dsp_form.hpp>
 #include <isa_sim/isa/semantics.hpp>
 #include <isa_sim/isa/table.hpp>
 
@@ -12,20 +13,6 @@ using u32 = std::uint32_t;
 using std::int32_t;
 using std::int64_t;
 
-constexpr Instruction form(std::string_view syntax, Execute execute,
-                           std::string_view meaning = {}) {
-  return {.syntax = syntax, .length = 4, .slot = Slot::dsp, .execute = execute, .meaning = meaning};
-}
-// Operands needed in EX1: bit fields, counts, video.
-constexpr Instruction early_form(std::string_view syntax, Execute execute,
-                                 std::string_view meaning = {}) {
-  return {.syntax = syntax,
-          .length = 4,
-          .slot = Slot::dsp,
-          .needs = Needs::ex1,
-          .execute = execute,
-          .meaning = meaning};
-}
 constexpr Instruction multiply_form(std::string_view syntax, std::uint32_t implicit,
                                     Execute execute) {
   return {.syntax = syntax,
@@ -90,68 +77,6 @@ constexpr auto kAbs = [](ExecutionState& s, const Operation& o) {
   set_overflow(s, overflow);
 };
 
-// Rd = Ra shifted by an immediate; amounts count to the left when positive.
-enum class Shift : std::uint8_t { left, right, right_arithmetic };
-template <Shift kind>
-constexpr auto kShiftImmediate = [](ExecutionState& s, const Operation& o) {
-  const u32 value = reg(s, o[1]);
-  const u32 result = kind == Shift::left    ? value << o[2]
-                     : kind == Shift::right ? value >> o[2]
-                                            : static_cast<u32>(static_cast<int32_t>(value) >> o[2]);
-  reg(s, o[0]) = result;
-  set_az_an(s, result);
-  s.v = 0;
-};
-template <Shift kind>
-constexpr auto kShiftLanes = [](ExecutionState& s, const Operation& o) {
-  const int amount = o[2];
-  const auto lane = [amount](u16 value) -> u16 {
-    return static_cast<u16>(kind == Shift::left    ? value << amount
-                            : kind == Shift::right ? value >> amount
-                                                   : static_cast<std::int16_t>(value) >> amount);
-  };
-  const u32 value = reg(s, o[1]);
-  const u32 result = u32{lane(static_cast<u16>(value >> 16))} << 16 | lane(static_cast<u16>(value));
-  reg(s, o[0]) = result;
-  s.az = (result & 0xffff) == 0 || result >> 16 == 0;
-  s.an = (result & 0x80008000) != 0;
-  s.v = 0;
-};
-template <bool arithmetic>
-constexpr auto kShiftRegister = [](ExecutionState& s, const Operation& o) {
-  const int32_t amount = shift_amount(reg(s, register_of(o[2])));
-  const u32 value = reg(s, o[1]);
-  const u32 result = arithmetic ? arithmetic_shift(value, amount) : logical_shift(value, amount);
-  reg(s, o[0]) = result;
-  set_az_an(s, result);
-  s.v = 0;
-};
-
-// The field descriptor of EXTRACT and DEPOSIT: length in bits 0-4, position in bits 8-12.
-template <bool sign_extend>
-constexpr auto kExtract = [](ExecutionState& s, const Operation& o) {
-  const u32 field = reg(s, register_of(o[2]));
-  const u32 length = field & 0x1f;
-  const u32 position = field >> 8 & 0x1f;
-  const u32 mask = (u32{1} << length) - 1;
-  u32 result = reg(s, o[1]) >> position & mask;
-  if (sign_extend && length != 0 && (result >> (length - 1) & 1) != 0) {
-    result |= ~mask;
-  }
-  reg(s, o[0]) = result;
-  set_logic_flags(s, result);
-};
-
-constexpr auto kOnes = [](ExecutionState& s, const Operation& o) {
-  set_half(s, register_of(o[0]), static_cast<u16>(std::popcount(reg(s, o[1]))));
-};
-// How many sign bits beyond the first.
-constexpr auto kSignBits = [](ExecutionState& s, const Operation& o) {
-  const u32 value = reg(s, o[1]);
-  const int count = (value >> 31) != 0 ? std::countl_one(value) : std::countl_zero(value);
-  set_half(s, register_of(o[0]), static_cast<u16>(count - 1));
-};
-
 constexpr auto kPack = [](ExecutionState& s, const Operation& o) {
   reg(s, o[0]) = u32{half(s, o[1])} << 16 | half(s, o[2]);
 };
@@ -190,49 +115,31 @@ constexpr std::uint32_t sets(int accumulator) { return accumulator == 0 ? kWrite
 
 constexpr Instruction kTable[] = {
     // 32-bit and 16-bit addition
-    form("{D!} = {D} + {D} (NS)", plain<kAdd<false, false>>),
-    form("{D!} = {D} - {D} (NS)", plain<kAdd<true, false>>),
-    form("{D!} = {D} + {D} (S)", plain<kAdd<false, true>>),
-    form("{D!} = {D} - {D} (S)", plain<kAdd<true, true>>),
-    form("{Dx!} = {Dx} + {Dx} (NS)", plain<kAddHalf<false, false>>),
-    form("{Dx!} = {Dx} - {Dx} (NS)", plain<kAddHalf<true, false>>),
-    form("{Dx!} = {Dx} + {Dx} (S)", plain<kAddHalf<false, true>>),
-    form("{Dx!} = {Dx} - {Dx} (S)", plain<kAddHalf<true, true>>),
-    form("{D!} = {D} +|+ {D}", plain<kAddLanes<false, false, false>>),
-    form("{D!} = {D} +|- {D}", plain<kAddLanes<false, true, false>>),
-    form("{D!} = {D} -|+ {D}", plain<kAddLanes<true, false, false>>),
-    form("{D!} = {D} -|- {D}", plain<kAddLanes<true, true, false>>),
-    form("{D!} = {D} +|+ {D} (S)", plain<kAddLanes<false, false, true>>),
-    form("{D!} = {D} -|- {D} (S)", plain<kAddLanes<true, true, true>>),
-    form("{D!} = MAX({D}, {D})", plain<kExtreme<true>>),
-    form("{D!} = MIN({D}, {D})", plain<kExtreme<false>>),
-    form("{D!} = MAX({D}, {D}) (V)", plain<kExtremeLanes<kMax16>>),
-    form("{D!} = MIN({D}, {D}) (V)", plain<kExtremeLanes<kMin16>>),
-    form("{D!} = ABS {D}", plain<kAbs>, "the most negative value becomes the most positive"),
+    dsp_form("{D!} = {D} + {D} (NS)", plain<kAdd<false, false>>),
+    dsp_form("{D!} = {D} - {D} (NS)", plain<kAdd<true, false>>),
+    dsp_form("{D!} = {D} + {D} (S)", plain<kAdd<false, true>>),
+    dsp_form("{D!} = {D} - {D} (S)", plain<kAdd<true, true>>),
+    dsp_form("{Dx!} = {Dx} + {Dx} (NS)", plain<kAddHalf<false, false>>),
+    dsp_form("{Dx!} = {Dx} - {Dx} (NS)", plain<kAddHalf<true, false>>),
+    dsp_form("{Dx!} = {Dx} + {Dx} (S)", plain<kAddHalf<false, true>>),
+    dsp_form("{Dx!} = {Dx} - {Dx} (S)", plain<kAddHalf<true, true>>),
+    dsp_form("{D!} = {D} +|+ {D}", plain<kAddLanes<false, false, false>>),
+    dsp_form("{D!} = {D} +|- {D}", plain<kAddLanes<false, true, false>>),
+    dsp_form("{D!} = {D} -|+ {D}", plain<kAddLanes<true, false, false>>),
+    dsp_form("{D!} = {D} -|- {D}", plain<kAddLanes<true, true, false>>),
+    dsp_form("{D!} = {D} +|+ {D} (S)", plain<kAddLanes<false, false, true>>),
+    dsp_form("{D!} = {D} -|- {D} (S)", plain<kAddLanes<true, true, true>>),
+    dsp_form("{D!} = MAX({D}, {D})", plain<kExtreme<true>>),
+    dsp_form("{D!} = MIN({D}, {D})", plain<kExtreme<false>>),
+    dsp_form("{D!} = MAX({D}, {D}) (V)", plain<kExtremeLanes<kMax16>>),
+    dsp_form("{D!} = MIN({D}, {D}) (V)", plain<kExtremeLanes<kMin16>>),
+    dsp_form("{D!} = ABS {D}", plain<kAbs>, "the most negative value becomes the most positive"),
 
-    // shifts
-    form("{D!} = {D} << {uimm5}", plain<kShiftImmediate<Shift::left>>),
-    form("{D!} = {D} >> {uimm5}", plain<kShiftImmediate<Shift::right>>),
-    form("{D!} = {D} >>> {uimm5}", plain<kShiftImmediate<Shift::right_arithmetic>>),
-    form("{D!} = {D} << {uimm4} (V)", plain<kShiftLanes<Shift::left>>),
-    form("{D!} = {D} >> {uimm4} (V)", plain<kShiftLanes<Shift::right>>),
-    form("{D!} = {D} >>> {uimm4} (V)", plain<kShiftLanes<Shift::right_arithmetic>>),
-    early_form("{D!} = LSHIFT {D} BY {Dl}", plain<kShiftRegister<false>>,
-               "left when the amount is positive"),
-    early_form("{D!} = ASHIFT {D} BY {Dl}", plain<kShiftRegister<true>>,
-               "left when the amount is positive"),
-
-    // bits
-    early_form("{D!} = EXTRACT({D}, {Dl}) (Z)", plain<kExtract<false>>,
-               "field: length in bits 0-4, position in 8-12"),
-    early_form("{D!} = EXTRACT({D}, {Dl}) (X)", plain<kExtract<true>>,
-               "field: length in bits 0-4, position in 8-12"),
-    early_form("{Dl!} = ONES {D}", plain<kOnes>, "population count"),
-    early_form("{Dl!} = SIGNBITS {D}", plain<kSignBits>, "redundant sign bits"),
-    form("{D!} = PACK({Dx}, {Dx})", plain<kPack>),
-    early_form("{D!} = ALIGN8({D}, {D})", plain<kAlign<1>>),
-    early_form("{D!} = ALIGN16({D}, {D})", plain<kAlign<2>>),
-    early_form("{D!} = ALIGN24({D}, {D})", plain<kAlign<3>>),
+    // bytes and halves
+    dsp_form("{D!} = PACK({Dx}, {Dx})", plain<kPack>),
+    early_dsp_form("{D!} = ALIGN8({D}, {D})", plain<kAlign<1>>),
+    early_dsp_form("{D!} = ALIGN16({D}, {D})", plain<kAlign<2>>),
+    early_dsp_form("{D!} = ALIGN24({D}, {D})", plain<kAlign<3>>),
 
     // 16 x 16 multiply and multiply-accumulate
     multiply_form("{D!} = {Dx} * {Dx}", kNothing, plain<kMultiply<kFraction>>),

@@ -224,6 +224,60 @@ constexpr Meaning kDsp[] = {
     {"MNOP || I0 += M0 || R1 = [I1];", "R1=0x7FFFFFFF"},
 };
 
+constexpr Meaning kShifter[] = {
+    // rotation: CC is the ring's 33rd (41st) bit
+    {"R1 = 1 (X); R1 <<= 31; R1 += 1; R2 = ROT R1 BY 1; R3 = ROT R1 BY -1;",
+     "R2=2 R3=0xC0000000 CC=1"},
+    {"R1 = 3 (X); R4 = -2 (X); CC = R0 == R0; R2 = ROT R1 BY R4.L;", "R2=0xC0000000 CC=1"},
+    {"R1 = 3 (X); CC = R0 == R0; R2 = ROT R1 BY 0; R3 = ROT R1 BY -32;", "R2=3 R3=7 CC=0"},
+    {"R1 = 1 (X); A0 = R1.L * R1.L (IS); A1 = R1.L * R1.L (IS); R4 = -1 (X); A0 = ROT A0 BY 4; A0 "
+     "= ROT A0 BY R4.L; A1 = ROT A1 BY 4; A1 = ROT A1 BY R4.L;",
+     "A0=8 A1=8 CC=0"},
+    {"R1 = 1 (X); A0 = R1.L * R1.L (IS); A0 = ROT A0 BY -1; A0 = ROT A0 BY -1;",
+     "A0=-549755813888 CC=0"},
+    // halves; V tells of lost bits, a change of sign alone only when it saturates
+    {"R1.L = 0x4001; R2.L = R1.L << 1;", "R2=0x8002 V=0 AN=1"},
+    {"R1.L = 0x4001; R2.L = R1.L << 2;", "R2=4 V=1 AN=0"},
+    {"R1.L = 0x4001; R1.H = 0x8001; R3.L = R1.H >> 1; R4.L = R1.H >>> 1; R5.L = R1.L << 1 (S); "
+     "R6.H = R1.H << 1 (S);",
+     "R3=0x4000 R4=0xC000 R5=0x7FFF R6=0x80000000 V=1"},
+    {"R1.L = 0x8001; R2 = 1 (X); R3.L = LSHIFT R1.L BY R2.L; R2 = -1 (X); R4.L = LSHIFT R1.L BY "
+     "R2.L; R5.L = ASHIFT R1.L BY R2.L;",
+     "R3=2 R4=0x4000 R5=0xC000 V=0"},
+    {"R1.L = 0x8001; R2 = 1 (X); R6.L = ASHIFT R1.L BY R2.L; R7.L = ASHIFT R1.L BY R2.L (S);",
+     "R6=2 R7=0x8000 V=1"},
+    {"R1.L = 0x8001; R2 = -32 (X); R3.L = LSHIFT R1.L BY R2.L; R4.L = ASHIFT R1.L BY R2.L;",
+     "R3=0 R4=0xFFFF AN=1 AZ=0"},
+    {"R1.L = 0x4001; R1.H = 0x8001; R2 = -1 (X); R3 = LSHIFT R1 BY R2.L (V); R4 = ASHIFT R1 BY "
+     "R2.L (V); R5 = R1 << 1 (V, S); R6 = R1 >>> 1 (V, S); R2 = 1 (X); R7 = ASHIFT R1 BY R2.L (V, "
+     "S);",
+     "R3=0x40002000 R4=0xC0002000 R5=0x80007FFF R6=0xC0002000 R7=0x80007FFF V=1"},
+    // words
+    {"R1 = [P1]; R2 = R1 << 1 (S);", "R2=0x7FFFFFFF V=1"},
+    {"R3 = -1 (X); R4 = 4 (X); R5 = ASHIFT R3 BY R4.L (S);", "R5=-16 V=0"},
+    {"R1 = [P1]; R4 = 4 (X); R6 = ASHIFT R1 BY R4.L (S);", "R6=0x7FFFFFFF V=1"},
+    // fields: 4 bits to position 8
+    {"R1 = -1 (X); R2.H = 5; R2.L = 0x0804; R3 = DEPOSIT(R1, R2); R2.H = 9; R5 = 0x55 (X); R4 = "
+     "DEPOSIT(R5, R2) (X);",
+     "R3=0xFFFFF5FF R4=0xFFFFF955"},
+    {"R1 = 2 (X); R2 = 1 (X); BITMUX(R1, R2, A0) (ASR);", "A0=-549755813888 R1=1 R2=0"},
+    {"R1 = 1 (X); R1 <<= 31; R2 = R1; BITMUX(R1, R2, A0) (ASL);", "A0=3 R1=0 R2=0"},
+    // parity
+    {"R1.L = 5; R1.H = 1; R2.L = 2; A0 = R1.L * R1.H (IS); A1 = R2.L * R1.H (IS); R2 = 4 (X); R3.L "
+     "= CC = BXOR(A0, R2); R4.L = CC = BXORSHIFT(A0, R2); R5.L = CC = BXOR(A0, A1, CC); A0 = "
+     "BXORSHIFT(A0, A1, CC);",
+     "R3=1 R4=0 R5=1 A0=20 CC=1"},
+    // exponents
+    {"R1.L = 1; R1.H = 0xFFFF; R2.L = SIGNBITS R1.L; R3.L = SIGNBITS R1.H;", "R2=14 R3=15"},
+    {"R1.L = 1; R1.H = -1; A0 = R1.L * R1.L (IS); A1 = R1.L * R1.H (IS); R2.L = SIGNBITS A0; R3.L "
+     "= SIGNBITS A1;",
+     "R2=30 R3=31"},
+    {"R1 = 1 (X); R2 = 10 (X); R3.L = EXPADJ(R1, R2.L); R2 = 31 (X); R4.L = EXPADJ(R1, R2.L); R2 = "
+     "15 (X); R5.L = EXPADJ(R1.L, R2.L);",
+     "R3=10 R4=30 R5=14"},
+    {"R1.L = 0x0100; R1.H = 1; R2 = 15 (X); R3.L = EXPADJ(R1, R2.L) (V);", "R3=6"},
+};
+
 constexpr Meaning kFlow[] = {
     {"JUMP.S .Lx; R1 = 1 (X); .Lx: R2 = 2 (X);", "R1=0 R2=2"},
     {"JUMP.L .Lx; R1 = 1 (X); .Lx: R2 = 2 (X);", "R1=0 R2=2"},
@@ -344,13 +398,14 @@ INSTANTIATE_TEST_SUITE_P(Memory, Meanings, testing::ValuesIn(kMemory));
 INSTANTIATE_TEST_SUITE_P(Moves, Meanings, testing::ValuesIn(kMoves));
 INSTANTIATE_TEST_SUITE_P(Arithmetic, Meanings, testing::ValuesIn(kArithmetic));
 INSTANTIATE_TEST_SUITE_P(Dsp, Meanings, testing::ValuesIn(kDsp));
+INSTANTIATE_TEST_SUITE_P(Shifter, Meanings, testing::ValuesIn(kShifter));
 INSTANTIATE_TEST_SUITE_P(Flow, Meanings, testing::ValuesIn(kFlow));
 
 TEST(MeaningTable, EveryInstructionIsTested) {
   std::set<int> tested;
   for (const auto group : {std::span<const Meaning>(kMemory), std::span<const Meaning>(kMoves),
                            std::span<const Meaning>(kArithmetic), std::span<const Meaning>(kDsp),
-                           std::span<const Meaning>(kFlow)}) {
+                           std::span<const Meaning>(kShifter), std::span<const Meaning>(kFlow)}) {
     for (const Meaning& meaning : group) {
       for (const ir::Function& function :
            ir::parse(".bir 1\n" + text_of(meaning), "test.bir").functions) {

@@ -1,0 +1,27 @@
+// Table entries of 32-bit DSP instructions, which stand in slot 0 of a packet.
+#pragma once
+
+#include <isa_sim/isa/instruction.hpp>
+
+namespace finback::isa {
+
+constexpr Instruction dsp_form(std::string_view syntax, Execute execute,
+                               std::string_view meaning = {}) {
+  return {.syntax = syntax, .length = 4, .slot = Slot::dsp, .execute = execute, .meaning = meaning};
+}
+
+// Operands needed in EX1: bit fields, counts, amounts of shifts, video.
+constexpr Instruction early_dsp_form(std::string_view syntax, Execute execute,
+                                     std::string_view meaning = {}) {
+  Instruction form = dsp_form(syntax, execute, meaning);
+  form.needs = Needs::ex1;
+  return form;
+}
+
+// With registers that do not stand among the operands.
+constexpr Instruction with_implicit(Instruction form, std::uint32_t implicit) {
+  form.implicit = implicit;
+  return form;
+}
+
+}  // namespace finback::isa
