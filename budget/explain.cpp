@@ -231,6 +231,17 @@ bool by_growth(const Check& check) {
   return check.metric == "frames_per_second" ? !grew : grew;
 }
 
+// Whether the change from the baseline is towards what the limit forbids: one that is broken all
+// the same is not explained by what became better.
+bool by_change(const Check& check) {
+  if (!check.baseline || check.value == *check.baseline) {
+    return false;
+  }
+  const Relation relation = check.limit->demand.relation;
+  return relation == Relation::equal ||
+         (relation == Relation::at_most) == (check.value > *check.baseline);
+}
+
 struct Group {
   StoryKey key;
   std::vector<std::size_t> checks;
@@ -245,7 +256,7 @@ std::vector<Explanation> explain(const std::vector<Check>& checks, const report:
   std::vector<Group> groups;
   for (std::size_t i = 0; i < checks.size(); ++i) {
     const Subject subject = subject_of(checks[i].metric);
-    const bool against = baseline != nullptr && checks[i].value != checks[i].baseline;
+    const bool against = by_change(checks[i]);
     const Sorter sorter(material, !against || by_growth(checks[i]), against);
     const StoryKey key = sorter.key_of(checks[i], subject);
     auto group = std::ranges::find(groups, key, &Group::key);

@@ -3,7 +3,7 @@
 // Checks that one cause explains share an explanation. A function's limit is explained by the
 // function, a core's by what grew most on it, one of the whole camera (frames a second, watts) by
 // the core that grew most. Time asleep is what waiting for others looks like: it explains only what
-// nothing else does. Without a baseline, or where nothing changed, the largest costs are told.
+// nothing else does. Without a baseline, or where nothing became worse, the largest costs are told.
 // There is no call graph: inclusive cycles that grew in callees are explained by their core.
 #pragma once
 

@@ -101,7 +101,7 @@ class CyclesTeller {
     } else {
       explanation_.headline =
           fmt::format("{}: {}what costs most now", key_.owner,
-                      material_.baseline == nullptr ? "" : "as in the baseline; ");
+                      material_.baseline == nullptr ? "" : "no worse than the baseline; ");
     }
   }
 

@@ -97,7 +97,8 @@ int list(const Options& options, const report::RunResult& result) {
   if (width == 0) {
     const std::string near = nearest_name(options.pattern, names);
     throw InputError(fmt::format("--list {}: no metric has such a name{}", options.pattern,
-                                 near.empty() ? "" : fmt::format(", did you mean {}?", near)));
+                                 near.empty() ? "; without a pattern it shows all"
+                                              : fmt::format(", did you mean {}?", near)));
   }
   for (const auto& [name, metric] : metrics) {
     if (budget::matches(options.pattern, name)) {

@@ -134,8 +134,16 @@ TEST_F(Why, LessWorkIsTold) {
 TEST_F(Why, OfAnUnchangedValueIsWhatCostsMost) {
   const auto& why = of("frames_per_second = \">= 1_000_000\"\n");
   ASSERT_EQ(why.size(), 1U);
-  EXPECT_EQ(why[0].headline, "core_b: as in the baseline; what costs most now");
+  EXPECT_EQ(why[0].headline, "core_b: no worse than the baseline; what costs most now");
   EXPECT_THAT(why[0].details.front(), "match 20,000 cycles: issue 20,000");
+}
+
+TEST_F(Why, OfABetterValueThatIsNotEnoughIsWhatCostsMost) {
+  function(now, "census").exclusive = 8'000;
+  function(now, "census").causes = {{"issue", 8'000}};
+  const auto& why = of("function.core_b.census.exclusive_cycles = \"<= 5_000\"\n");
+  ASSERT_EQ(why.size(), 1U);
+  EXPECT_EQ(why[0].headline, "core_b: no worse than the baseline; what costs most now");
 }
 
 TEST_F(Why, WithoutABaselineIsWhatCostsMost) {
