@@ -5,6 +5,7 @@
 
 #include <common/error.hpp>
 #include <explorer/candidate.hpp>
+#include <explorer/source_hash.hpp>
 #include <isa_sim/ir/linker.hpp>
 #include <report/run_result.hpp>
 
@@ -200,7 +201,7 @@ runner::RunInputs inputs_of(const Space& space, const Point& point) {
 std::vector<Candidate> prepare(const Space& space, const std::vector<Point>& points,
                                const std::function<bool()>& cancelled) {
   Identity common;
-  common.tool_version = FINBACK_VERSION;
+  common.tool_version = fmt::format("{}+{}", FINBACK_VERSION, kSourceHash);
   common.power_hash = report::content_hash(values_text(space.base.power->parameters()));
   common.scene = space.base.scene.name;
   common.scene_hash = scene_hash(space.base.scene);
