@@ -1,4 +1,5 @@
 #include <chrono>
+#include <cmath>
 #include <fmt/format.h>
 #include <memory>
 #include <system_error>
@@ -49,12 +50,7 @@ class PointProgress {
  public:
   explicit PointProgress(std::size_t points)
       : points_(points), terminal_(::isatty(STDERR_FILENO) == 1) {}
-  ~PointProgress() {
-    if (shown_) {
-      fmt::print(stderr, "\r\033[K");
-      std::fflush(stderr);
-    }
-  }
+  ~PointProgress() { wipe(); }
   PointProgress(const PointProgress&) = delete;
   PointProgress& operator=(const PointProgress&) = delete;
 
@@ -77,9 +73,17 @@ class PointProgress {
     shown_ = true;
   }
 
+  void wipe() {
+    if (shown_) {
+      fmt::print(stderr, "\r\033[K");
+      std::fflush(stderr);
+      shown_ = false;
+    }
+  }
+
  private:
   static std::string duration_text(double seconds) {
-    const auto whole = static_cast<long>(seconds + 0.5);
+    const auto whole = std::lround(seconds);
     return whole < 60     ? fmt::format("{} s", whole)
            : whole < 3600 ? fmt::format("{} min {:02} s", whole / 60, whole % 60)
                           : fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);

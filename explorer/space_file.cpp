@@ -253,7 +253,7 @@ class SpaceReader {
   void read_machine() {
     for (const auto& [name, node] : entries_of("machine")) {
       Axis axis = new_axis(AxisKind::machine, name);
-      at(*node, [&] { return space_.base.machine->get(name); });  // is there such a parameter?
+      at(*node, [this, &axis] { return space_.base.machine->get(axis.name); });  // is it known?
       const toml::table* range = node->as_table();
       if (range != nullptr) {
         add_range(name, *range, axis);

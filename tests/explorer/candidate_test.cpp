@@ -16,13 +16,15 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 class Candidates : public ::testing::Test {
+ public:
+  ~Candidates() override { fs::remove_all(folder_); }
+
  protected:
   Candidates() {
     std::string pattern = (fs::temp_directory_path() / "finback-test-XXXXXX").string();
     folder_ = ::mkdtemp(pattern.data());
     write_file_whole(folder_ / "camera.bir", camera_text());
   }
-  ~Candidates() override { fs::remove_all(folder_); }
 
   [[nodiscard]] Space space(const std::string& axes, const std::string& run = "") const {
     return parse_space(

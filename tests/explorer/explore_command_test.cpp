@@ -19,7 +19,6 @@
 namespace finback::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using explorer::camera_text;
 using ::testing::AllOf;
 using ::testing::HasSubstr;

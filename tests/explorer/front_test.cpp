@@ -25,6 +25,7 @@ TEST(Front, HoldsEqualPointsTogether) {
 
 TEST(Front, IsWhatComparingAllWithAllFinds) {
   std::vector<Merit> points;
+  points.reserve(200);
   for (int i = 0; i < 200; ++i) {
     points.push_back({static_cast<double>(i * 7919 % 31), static_cast<double>(i * 104729 % 37)});
   }

@@ -18,13 +18,15 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 class StoreTest : public ::testing::Test {
+ public:
+  ~StoreTest() override { fs::remove_all(folder_); }
+
  protected:
   StoreTest() {
     std::string pattern = (fs::temp_directory_path() / "finback-test-XXXXXX").string();
     folder_ = ::mkdtemp(pattern.data());
     path_ = folder_ / "kept" / "space.sqlite";
   }
-  ~StoreTest() override { fs::remove_all(folder_); }
 
   static Identity identity(const std::string& key) {
     Identity identity;
