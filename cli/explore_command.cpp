@@ -159,8 +159,9 @@ bool fill(const Options& options, const Space& space, const std::vector<Candidat
   if (done == plan.to_simulate.size()) {
     return true;
   }
+  progress.wipe();
   fmt::print(stderr,
-             "\r\033[Kfinback: interrupted; {} of {} simulations are kept in {}; the same "
+             "finback: interrupted; {} of {} simulations are kept in {}; the same "
              "command goes on from there\n",
              done, plan.to_simulate.size(), database_of(options).string());
   return false;

@@ -261,8 +261,10 @@ TEST_F(Explore, InterruptedKeepsWhatIsDone) {
   constexpr int kWhileItRuns = 700;
   const Finished finished = finback({"explore", "space.toml"}, kWhileItRuns);
   EXPECT_EQ(finished.exit_code, 130);
-  EXPECT_THAT(finished.err, HasSubstr("finback: interrupted; 0 of 2 simulations are kept in "
-                                      "out/space.sqlite; the same command goes on from there\n"));
+  EXPECT_EQ(finished.err,
+            "space.toml: 2 points: 2 to simulate\n"
+            "finback: interrupted; 0 of 2 simulations are kept in out/space.sqlite; the same "
+            "command goes on from there\n");
   EXPECT_EQ(finished.out, "");
 }
 
