@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include <runner/movables.hpp>
 #include <runner/run_request.hpp>
 
 namespace finback::explorer {

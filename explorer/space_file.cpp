@@ -8,7 +8,6 @@
 
 #include <common/file.hpp>
 #include <common/parameter.hpp>
-#include <explorer/movables.hpp>
 #include <explorer/points.hpp>
 #include <explorer/space.hpp>
 #include <memory_model/memory_system.hpp>
@@ -206,15 +205,15 @@ class SpaceReader {
       const runner::Move named = runner::parse_movable(name, reader_.place(*node));
       bool functions = false;
       for (const runner::LoadedFirmware& loaded : space_.firmwares) {
-        Movables movables = find_movables(loaded.firmware.units, named);
+        runner::Movables movables = runner::find_movables(loaded.firmware.units, named);
         functions = movables.functions;
         axis.things.push_back(std::move(movables.things));
       }
       axis.choices = text_choices(*node, name);
       for (Choice& choice : axis.choices) {
         choice.region = choice.text;
-        check_region(space_.base.machine->map, named.owner, choice.region, functions,
-                     choice.written);
+        runner::check_region(space_.base.machine->map, named.owner, choice.region, functions,
+                             choice.written);
       }
       check_things(axis, *node);
       add(std::move(axis), *node);

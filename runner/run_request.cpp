@@ -1,14 +1,12 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <optional>
 #include <utility>
 
 #include <common/file.hpp>
-#include <common/parameter.hpp>
 #include <power_model/power_file.hpp>
+#include <runner/movables.hpp>
 #include <runner/run_request.hpp>
 
 namespace finback::runner {
@@ -16,9 +14,6 @@ namespace finback::runner {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::array<ir::Owner, 3> kOwners = {ir::Owner::core_a, ir::Owner::core_b,
-                                              ir::Owner::shared};
 
 // "NAME=VALUE" of an option, at the first equals sign.
 std::pair<std::string, std::string> split_assignment(const std::string& option,
@@ -57,103 +52,7 @@ void apply_setting(machine::MachineDescription& machine, const std::string& text
   }
 }
 
-// The C names of what an owner has.
-struct Names {
-  std::vector<std::string> objects;
-  std::vector<std::string> functions;
-
-  [[nodiscard]] static bool has(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  }
-};
-
-Names names_of(const ir::FirmwareUnits& units, ir::Owner owner) {
-  const std::vector<ir::Unit>& list = owner == ir::Owner::shared
-                                          ? units.shared
-                                          : units.cores[static_cast<std::size_t>(owner)].units;
-  Names names;
-  for (const ir::Unit& unit : list) {
-    for (const ir::Object& object : unit->objects) {
-      names.objects.push_back(ir::c_name(object.name));
-    }
-    for (const ir::Function& function : unit->functions) {
-      names.functions.push_back(ir::c_name(function.name));
-    }
-  }
-  if (owner != ir::Owner::shared) {
-    names.objects.emplace_back(ir::kStackName);
-  }
-  return names;
-}
-
-[[noreturn]] void fail_unknown(const ir::FirmwareUnits& units, const Move& move,
-                               const Names& names) {
-  for (const ir::Owner other : kOwners) {
-    const Names theirs = names_of(units, other);
-    if (other != move.owner &&
-        (Names::has(theirs.objects, move.name) || Names::has(theirs.functions, move.name))) {
-      throw InputError(move.written,
-                       fmt::format("{} has no object or function {}, but {} has",
-                                   ir::owner_name(move.owner), move.name, ir::owner_name(other)));
-    }
-  }
-  std::vector<std::string> all = names.objects;
-  all.insert(all.end(), names.functions.begin(), names.functions.end());
-  const std::string near = nearest_name(move.name, all);
-  throw InputError(
-      move.written,
-      fmt::format(
-          "{} has no object or function {}{}", ir::owner_name(move.owner), move.name,
-          near.empty() ? "; finback profile lists them" : fmt::format(", did you mean {}?", near)));
-}
-
-void apply_move(LoadedFirmware& loaded, const Move& move) {
-  ir::Placement& placement = loaded.firmware.placement;
-  const Names names = names_of(loaded.firmware.units, move.owner);
-  if (move.name == ir::kStackName && move.owner != ir::Owner::shared) {
-    ir::OwnerPlacement& owner = placement.of(move.owner);
-    owner.stack_region = move.region;
-    owner.stack_written = move.written;
-  } else if (Names::has(names.objects, move.name)) {
-    placement.override_object(move.owner, move.name, move.region, move.written);
-  } else if (Names::has(names.functions, move.name)) {
-    placement.override_function(move.owner, move.name, move.region, move.written);
-  } else {
-    fail_unknown(loaded.firmware.units, move, names);
-  }
-}
-
 }  // namespace
-
-Move parse_movable(std::string_view text, const SourcePlace& written) {
-  const std::size_t dot = text.find('.');
-  for (const ir::Owner owner : kOwners) {
-    if (dot != std::string_view::npos && dot + 1 < text.size() &&
-        text.substr(0, dot) == ir::owner_name(owner)) {
-      return {owner, std::string(text.substr(dot + 1)), "", written};
-    }
-  }
-  throw InputError(
-      written,
-      fmt::format("'{}' names no owner: write core_a.NAME, core_b.NAME or shared.NAME", text));
-}
-
-void apply_moves(LoadedFirmware& loaded, const std::vector<Move>& moves) {
-  if (moves.empty()) {
-    return;
-  }
-  std::vector<std::string> lines;
-  for (const Move& move : moves) {
-    apply_move(loaded, move);
-    const std::string thing = fmt::format("{}.{}=", ir::owner_name(move.owner), move.name);
-    std::erase_if(lines, [&](const std::string& line) { return line.starts_with(thing); });
-    lines.push_back(thing + move.region);
-  }
-  std::sort(lines.begin(), lines.end());
-  loaded.placement.name += fmt::format(" + {} moved", lines.size());
-  loaded.placement.hash =
-      report::content_hash(fmt::format("{}\n{}\n", loaded.placement.hash, fmt::join(lines, "\n")));
-}
 
 RunInputs load_inputs(const RunRequest& request) {
   RunInputs inputs;

@@ -37,19 +37,4 @@ inline constexpr std::uint32_t kMostFrames = 10000;
 // file. Throws InputError naming the line.
 [[nodiscard]] RunRequest read_run_request(const TomlReader& reader, const toml::table& table);
 
-// One object, function or stack ("stack") put into another region.
-struct Move {
-  ir::Owner owner = ir::Owner::core_a;
-  std::string name;
-  std::string region;
-  SourcePlace written;  // where it was asked for: begins every message about it
-};
-
-// "core_b.shd_scores" -> owner and name. Throws InputError at `written` for anything else.
-[[nodiscard]] Move parse_movable(std::string_view text, const SourcePlace& written);
-
-// Applies moves in their order, the last wins, and makes the placement's identity tell them. Throws
-// InputError for names that the firmware does not have; regions are checked when it is linked.
-void apply_moves(LoadedFirmware& firmware, const std::vector<Move>& moves);
-
 }  // namespace finback::runner

@@ -13,5 +13,5 @@ build/release/bin/finback run --scene aloe --frames 4 --out "$out" \
   --trace-counters traces/mesvs2_aloe.json
 build/release/bin/finback check firmware/budgets/mesvs2.toml --update-baseline
 # The examples of the manual pages, which show what is printed.
-FINBACK_REFRESH=1 ctest --preset release --tests-regex PagesSay
+FINBACK_REFRESH=1 ctest --preset release --tests-regex PageSaysWhatIsPrinted
 git --no-pager diff --stat -- traces firmware/budgets docs

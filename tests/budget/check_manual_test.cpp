@@ -1,11 +1,11 @@
 // The manual's pages say what the program does: docs/finback-check.md is executed, docs/metrics.md
 // names every metric of a run and no other. So does the project's own budget.
-#include <cctype>
 #include <gmock/gmock.h>
 #include <map>
 #include <set>
 #include <sstream>
 
+#include "../cli/page_examples.hpp"
 #include "../cli/program.hpp"
 #include <budget/demand.hpp>
 #include <common/file.hpp>
@@ -14,9 +14,6 @@ namespace finback::cli {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-
-constexpr std::string_view kAnything = "...";
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -27,99 +24,15 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// The fenced blocks of a language, in their order.
-std::vector<std::string> blocks_of(const std::string& page, const std::string& language) {
-  std::vector<std::string> blocks;
-  const std::string fence = "\n```" + language + "\n";
-  std::size_t begin = page.find(fence);
-  while (begin != std::string::npos) {
-    begin += fence.size();
-    const std::size_t end = page.find("\n```\n", begin);
-    blocks.push_back(page.substr(begin, end + 1 - begin));
-    begin = page.find(fence, end);
-  }
-  return blocks;
-}
-
-// A line without its numbers and the width of its columns: those are the firmware's of the day.
-std::string shape_of(const std::string& line) {
-  std::string shape;
-  for (const char c : line) {
-    const bool number = std::isdigit(static_cast<unsigned char>(c)) != 0;
-    const bool within = (c == ',' || c == '.') && shape.ends_with('#');
-    if (number ? !shape.ends_with('#') : !within && !(c == ' ' && shape.ends_with(' '))) {
-      shape += number ? '#' : c;
-    }
-  }
-  return shape;
-}
-
-// A command of a transcript, and what the page says that it prints.
-struct Command {
-  std::string text;
-  std::vector<std::string> output;
-};
-
-std::vector<Command> commands_of(const std::string& page) {
-  std::vector<Command> commands;
-  for (const std::string& block : blocks_of(page, "console")) {
-    for (const std::string& line : lines_of(block)) {
-      if (line.starts_with("$ ")) {
-        commands.push_back({line.substr(2), {}});
-      } else if (!commands.empty()) {
-        commands.back().output.push_back(line);
-      }
-    }
-  }
-  return commands;
-}
-
-void expect_printed(const Command& command, const std::string& printed) {
-  const std::vector<std::string> lines = lines_of(printed);
-  std::size_t at = 0;
-  bool skipping = false;
-  for (const std::string& expected : command.output) {
-    if (expected == kAnything) {
-      skipping = true;
-      continue;
-    }
-    while (skipping && at < lines.size() && shape_of(lines[at]) != shape_of(expected)) {
-      ++at;
-    }
-    skipping = false;
-    ASSERT_LT(at, lines.size()) << command.text << " does not print: " << expected;
-    EXPECT_EQ(shape_of(lines[at]), shape_of(expected)) << command.text;
-    ++at;
-  }
-  EXPECT_TRUE(skipping || at == lines.size()) << command.text << " also prints: " << lines[at];
-}
-
 class Manual : public ProgramTest {
  protected:
   static std::string page(const std::string& name) {
     return read_text_file(std::filesystem::path(FINBACK_SOURCE_DIR) / "docs" / name);
   }
-  [[nodiscard]] Finished shell(const std::string& command) const {
-    const std::string bin = std::filesystem::path(FINBACK_PROGRAM).parent_path().string();
-    return run_program({"sh", "-c", "PATH=\"" + bin + ":$PATH\"; " + command}, folder());
-  }
 };
 
-TEST_F(Manual, ExampleOfCheckIsTrue) {
-  const std::string text = page("finback-check.md");
-  write("budgets.toml", blocks_of(text, "toml").at(0));
-  const std::vector<Command> commands = commands_of(text);
-  EXPECT_GE(commands.size(), 4U);
-  Finished last;
-  for (const Command& command : commands) {
-    if (command.text == "echo $?") {
-      EXPECT_EQ(std::to_string(last.exit_code), command.output.at(0));
-      continue;
-    }
-    last = shell(command.text);
-    EXPECT_THAT(last.err, IsEmpty()) << command.text;
-    expect_printed(command, last.out);
-  }
+TEST_F(Manual, PageSaysWhatIsPrinted) {
+  check_page_examples("finback-check.md", folder().string());
 }
 
 // Each row's metric as a pattern, with its unit; "also `_per_frame`" makes two.

@@ -1,4 +1,5 @@
 // What people get wrong: one clear line on stderr, the right exit code, and nothing left behind.
+#include <algorithm>
 #include <gmock/gmock.h>
 
 #include "program.hpp"
@@ -175,6 +176,27 @@ TEST_F(Errors, InterruptLeavesNothing) {
   EXPECT_EQ(finished.exit_code, 130);
   EXPECT_EQ(finished.err, "finback: interrupted; nothing was written\n");
   EXPECT_EQ(files(), (std::vector<std::string>{"main.bir"}));
+}
+
+TEST_F(Errors, WrongMovesAndSettingsAreOneLine) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+      {{"--place", "core_b.shd_score=l3"}, "did you mean shd_scores?"},
+      {{"--place", "core_a.shd_scores=l3"}, "but core_b has"},
+      {{"--place", "core_b.shd_scores=l9"}, "core_b has no region l9; did you mean l3?"},
+      {{"--place", "shd_scores=l3"}, "names no owner"},
+      {{"--place", "core_b.shd_scores"}, "wants OWNER.NAME=REGION"},
+      {{"--set", "memory.l2.read_cycle=9"}, "did you mean memory.l2.read_cycles"},
+      {{"--set", "memory.l2.read_cycles=fast"}, "'fast' is not a number"},
+      {{"--set", "memory.l2.read_cycles=-1"}, "memory.l2.read_cycles"}};
+  for (const auto& [options, message] : cases) {
+    std::vector<std::string> arguments = {"run", "--frames", "1"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Finished finished = finback(arguments);
+    EXPECT_EQ(finished.exit_code, 2) << options[1];
+    EXPECT_THAT(finished.err, HasSubstr(message));
+    EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
+  }
+  EXPECT_TRUE(files().empty());
 }
 
 TEST_F(Errors, UnknownCommandNamesTheNearest) {

@@ -210,6 +210,25 @@ TEST_F(Output, OfABareProgramHasNoFrames) {
   EXPECT_THAT(finished.out, HasSubstr("\nVerdict: pass\n"));
 }
 
+TEST_F(Output, IsOfThePlacementAndTheMachineThatOptionsName) {
+  const Finished finished =
+      finback({"run", "--scene", "synthetic", "--frames", "1", "--place", "shared.hand_over_*=l3",
+               "--place", "shared.hand_over_left=l2", "--place", "core_a.stack=l1.data.a", "--set",
+               "clock.cclk_mhz=480", "--out", "o"});
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  const json r = result("o");
+  EXPECT_EQ(r["core_hertz"], 480e6);
+  std::map<std::string, std::string> regions;
+  for (const json& object : r["objects"]) {
+    regions[object["owner"].get<std::string>() + "." + object["name"].get<std::string>()] =
+        object["region"];
+  }
+  EXPECT_EQ(regions["shared.hand_over_left"], "l2");
+  EXPECT_EQ(regions["shared.hand_over_right"], "l3");
+  EXPECT_EQ(regions["core_a.stack"], "l1.data.a");
+  EXPECT_EQ(r["provenance"]["placement"]["name"], "placement.toml + 5 moved");
+}
+
 TEST_F(Output, TellsHowDeepTheStackWas) {
   const auto used = [&](const std::string& pushes) {
     write("main.bir",

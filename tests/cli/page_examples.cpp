@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <sstream>
-#include <vector>
+#include <string_view>
 
 #include "program.hpp"
 #include <common/file.hpp>
@@ -12,14 +12,6 @@
 namespace finback::cli {
 
 namespace {
-
-// Both streams, as a terminal shows them.
-std::string output_of(const std::string& command, const std::string& folder) {
-  const std::string programs = std::filesystem::path(FINBACK_PROGRAM).parent_path().string();
-  const Finished finished = run_program(
-      {"sh", "-c", "PATH='" + programs + "':\"$PATH\"; { " + command + "; } 2>&1"}, folder);
-  return finished.out;
-}
 
 class Page {
  public:
@@ -37,25 +29,54 @@ class Page {
  private:
   void read(const std::string& line) {
     const bool fence = line.starts_with("```");
-    if (fence || (in_block_ && line.starts_with("$ "))) {
+    if (fence || line.starts_with("$ ")) {
       finish_command();
     }
     if (fence) {
-      in_block_ = !in_block_ && line == "```console";
-    } else if (in_block_ && line.starts_with("$ ")) {
+      if (block_ == "toml") {
+        write_file_whole(std::filesystem::path(folder_) / file_, file_text_);
+      }
+      block_ = block_.empty() ? line.substr(3) : "";
+      file_text_.clear();
+    } else if (block_ == "console" && line.starts_with("$ ")) {
       command_ = line.substr(2);
     } else if (!command_.empty()) {
       said_ += line + "\n";
       return;  // written by finish_command
+    } else if (block_ == "toml") {
+      file_text_ += line + "\n";
+    } else {
+      note_file(line);
     }
     renewed_ += line + "\n";
+  }
+
+  // The last `NAME.toml` of a line of the text.
+  void note_file(const std::string& line) {
+    constexpr std::string_view kEnd = ".toml`";
+    const std::size_t end = line.rfind(kEnd);
+    if (end != std::string::npos) {
+      const std::size_t begin = line.rfind('`', end) + 1;
+      file_ = line.substr(begin, end + kEnd.size() - 1 - begin);
+    }
+  }
+
+  std::string output_of(const std::string& command) {
+    if (command == "echo $?") {
+      return std::to_string(exit_code_) + "\n";
+    }
+    const std::string programs = std::filesystem::path(FINBACK_PROGRAM).parent_path().string();
+    const Finished finished = run_program(
+        {"sh", "-c", "PATH='" + programs + "':\"$PATH\"; { " + command + "; } 2>&1"}, folder_);
+    exit_code_ = finished.exit_code;
+    return finished.out;
   }
 
   void finish_command() {
     if (command_.empty()) {
       return;
     }
-    const std::string printed = output_of(command_, folder_);
+    const std::string printed = output_of(command_);
     if (std::getenv("FINBACK_REFRESH") == nullptr) {
       EXPECT_EQ(printed, said_) << "of: " << command_
                                 << "\nif the change is meant, run scripts/refresh-traces.sh";
@@ -67,10 +88,13 @@ class Page {
   }
 
   std::string folder_;
-  bool in_block_ = false;
+  std::string block_;  // language of the block that is read; "" outside
   std::string command_;
   std::string said_;
+  std::string file_;
+  std::string file_text_;
   std::string renewed_;
+  int exit_code_ = 0;
   int commands_ = 0;
 };
 

@@ -156,7 +156,7 @@ TEST_F(Profile, OfWrongInputsIsOneLine) {
   }
 }
 
-TEST_F(Profile, PagesSayWhatIsPrinted) {
+TEST_F(Profile, PageSaysWhatIsPrinted) {
   check_page_examples("finback-profile.md", folder().string());
   check_page_examples("finback-annotate.md", folder().string());
 }

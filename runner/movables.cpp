@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <common/parameter.hpp>
-#include <explorer/movables.hpp>
+#include <runner/movables.hpp>
 
-namespace finback::explorer {
+namespace finback::runner {
 
 namespace {
 
@@ -37,7 +37,7 @@ Names names_of(const ir::FirmwareUnits& units, ir::Owner owner) {
     }
   }
   if (!shared && units.cores[core].present) {
-    names.objects.emplace_back("stack");
+    names.objects.emplace_back(ir::kStackName);
   }
   return names;
 }
@@ -50,8 +50,7 @@ std::vector<std::string> matching(const std::vector<std::string>& names,
   return found;
 }
 
-[[noreturn]] void fail_unknown(const ir::FirmwareUnits& units, const runner::Move& named,
-                               Names names) {
+[[noreturn]] void fail_unknown(const ir::FirmwareUnits& units, const Move& named, Names names) {
   std::string hint;
   for (const ir::Owner other : kOwners) {
     const Names theirs = names_of(units, other);
@@ -70,9 +69,21 @@ std::vector<std::string> matching(const std::vector<std::string>& names,
                                ir::owner_name(named.owner), units.name, named.name, hint));
 }
 
+// One thing that is there.
+void apply(ir::Placement& placement, const Move& move, bool function) {
+  if (move.name == ir::kStackName && move.owner != ir::Owner::shared) {
+    placement.of(move.owner).stack_region = move.region;
+    placement.of(move.owner).stack_written = move.written;
+  } else if (function) {
+    placement.override_function(move.owner, move.name, move.region, move.written);
+  } else {
+    placement.override_object(move.owner, move.name, move.region, move.written);
+  }
+}
+
 }  // namespace
 
-Movables find_movables(const ir::FirmwareUnits& units, const runner::Move& named) {
+Movables find_movables(const ir::FirmwareUnits& units, const Move& named) {
   const Names names = names_of(units, named.owner);
   Movables movables;
   std::vector<std::string> found = matching(names.objects, named.name);
@@ -108,4 +119,38 @@ void check_region(const memory::MemoryMap& map, ir::Owner owner, const std::stri
   }
 }
 
-}  // namespace finback::explorer
+Move parse_movable(std::string_view text, const SourcePlace& written) {
+  const std::size_t dot = text.find('.');
+  for (const ir::Owner owner : kOwners) {
+    if (dot != std::string_view::npos && dot + 1 < text.size() &&
+        text.substr(0, dot) == ir::owner_name(owner)) {
+      return {owner, std::string(text.substr(dot + 1)), "", written};
+    }
+  }
+  throw InputError(
+      written,
+      fmt::format("'{}' names no owner: write core_a.NAME, core_b.NAME or shared.NAME", text));
+}
+
+void apply_moves(LoadedFirmware& loaded, const std::vector<Move>& moves) {
+  if (moves.empty()) {
+    return;
+  }
+  std::vector<std::string> lines;
+  for (const Move& move : moves) {
+    const Movables movables = find_movables(loaded.firmware.units, move);
+    for (Move thing : movables.things) {
+      thing.region = move.region;
+      apply(loaded.firmware.placement, thing, movables.functions);
+      const std::string name = fmt::format("{}.{}=", ir::owner_name(thing.owner), thing.name);
+      std::erase_if(lines, [&](const std::string& line) { return line.starts_with(name); });
+      lines.push_back(name + thing.region);
+    }
+  }
+  std::sort(lines.begin(), lines.end());
+  loaded.placement.name += fmt::format(" + {} moved", lines.size());
+  loaded.placement.hash =
+      report::content_hash(fmt::format("{}\n{}\n", loaded.placement.hash, fmt::join(lines, "\n")));
+}
+
+}  // namespace finback::runner
