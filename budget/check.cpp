@@ -6,6 +6,7 @@
 
 #include <budget/check.hpp>
 #include <common/parameter.hpp>
+#include <common/pattern.hpp>
 
 namespace finback::budget {
 
@@ -48,7 +49,7 @@ void require_consistent_for(const std::string& metric, const Budget& budget,
   std::optional<Bound> lower;
   std::optional<Bound> upper;
   for (const Limit& limit : budget.limits) {
-    if (limit.name != metric && !matches(limit.name, metric)) {
+    if (limit.name != metric && !matches_pattern(limit.name, metric)) {
       continue;
     }
     double reference = 0;
@@ -75,7 +76,7 @@ void require_consistent_for(const std::string& metric, const Budget& budget,
 [[noreturn]] void fail_unmatched(const Limit& limit, const Metrics& now, const Metrics* baseline) {
   const bool was_there =
       baseline != nullptr && std::ranges::any_of(*baseline, [&](const auto& metric) {
-        return matches(limit.name, metric.first);
+        return matches_pattern(limit.name, metric.first);
       });
   std::string hint;
   if (was_there) {
@@ -140,7 +141,7 @@ void require_consistent(const Budget& budget, const Metrics* baseline) {
 void require_known(const Budget& budget, const Metrics& now, const Metrics* baseline) {
   for (const Limit& limit : budget.limits) {
     if (std::ranges::none_of(
-            now, [&](const auto& metric) { return matches(limit.name, metric.first); })) {
+            now, [&](const auto& metric) { return matches_pattern(limit.name, metric.first); })) {
       fail_unmatched(limit, now, baseline);
     }
   }
@@ -154,7 +155,7 @@ std::vector<Check> check_limits(const Budget& budget, const Metrics& now, const 
   std::vector<Check> checks;
   for (const Limit& limit : budget.limits) {
     for (const auto& [name, metric] : now) {
-      if (matches(limit.name, name)) {
+      if (matches_pattern(limit.name, name)) {
         checks.push_back(check_one(limit, name, metric, baseline));
       }
     }

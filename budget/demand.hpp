@@ -36,8 +36,7 @@ struct Demand {
 // underscores between digits: 4_500_000.
 [[nodiscard]] Demand parse_demand(std::string_view text, const SourcePlace& written);
 
-// `pattern` may hold * (any characters, also none, dots too) and ? (one character).
-[[nodiscard]] bool matches(std::string_view pattern, std::string_view name);
+// Whether `name` is a pattern (common/pattern.hpp).
 [[nodiscard]] bool is_pattern(std::string_view name);
 
 }  // namespace finback::budget

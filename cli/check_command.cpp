@@ -13,6 +13,7 @@
 #include <common/error.hpp>
 #include <common/file.hpp>
 #include <common/parameter.hpp>
+#include <common/pattern.hpp>
 #include <report/json_reader.hpp>
 #include <report/json_writer.hpp>
 #include <runner/run_request.hpp>
@@ -92,7 +93,7 @@ int list(const Options& options, const report::RunResult& result) {
   const budget::Metrics metrics = report::metrics_of(result);
   for (const auto& [name, metric] : metrics) {
     names.push_back(name);
-    width = budget::matches(options.pattern, name) ? std::max(width, name.size()) : width;
+    width = matches_pattern(options.pattern, name) ? std::max(width, name.size()) : width;
   }
   if (width == 0) {
     const std::string near = nearest_name(options.pattern, names);
@@ -101,7 +102,7 @@ int list(const Options& options, const report::RunResult& result) {
                                               : fmt::format(", did you mean {}?", near)));
   }
   for (const auto& [name, metric] : metrics) {
-    if (budget::matches(options.pattern, name)) {
+    if (matches_pattern(options.pattern, name)) {
       fmt::print("{:<{}}  {}{}{}\n", name, width, budget::number_text(metric.value),
                  metric.unit.empty() ? "" : " ", metric.unit);
     }

@@ -8,6 +8,7 @@
 #include <explorer/source_hash.hpp>
 #include <isa_sim/ir/linker.hpp>
 #include <report/run_result.hpp>
+#include <runner/identity.hpp>
 
 namespace finback::explorer {
 
@@ -71,26 +72,6 @@ Cycles cycle_limit_of(const Space& space, const machine::MachineDescription& mac
 
 // --- identities ---
 
-template <class Parameters>
-std::string values_text(const Parameters& parameters) {
-  std::string text;
-  for (const ParameterBase* parameter : parameters) {
-    fmt::format_to(std::back_inserter(text), "{} = {}\n", parameter->declaration().name,
-                   parameter->value());
-  }
-  return text;
-}
-
-std::string machine_hash(const machine::MachineDescription& machine) {
-  std::string text = values_text(machine.parameters());
-  for (const memory::Region& region : machine.map.regions) {
-    fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {} {} {}\n", region.core, region.name,
-                   region.base, region.size, static_cast<int>(region.level), region.code,
-                   region.data, region.dma_reachable);
-  }
-  return report::content_hash(text);
-}
-
 // The image with all that a run can see: code and data at their addresses, and their names.
 std::string image_hash(const ir::Image& image) {
   std::string text;
@@ -119,17 +100,6 @@ std::string image_hash(const ir::Image& image) {
     text += '\n';
   }
   return report::content_hash(text);
-}
-
-std::string scene_hash(const scenes::Scene& scene) {
-  std::string bytes;
-  for (const scenes::ByteImage* image : {&scene.left, &scene.right}) {
-    bytes.append(image->pixels().begin(), image->pixels().end());
-  }
-  for (const float disparity : scene.truth.pixels()) {
-    fmt::format_to(std::back_inserter(bytes), "{} ", disparity);
-  }
-  return report::content_hash(bytes);
 }
 
 std::string key_of(const Identity& identity) {
@@ -202,9 +172,9 @@ std::vector<Candidate> prepare(const Space& space, const std::vector<Point>& poi
                                const std::function<bool()>& cancelled) {
   Identity common;
   common.tool_version = fmt::format("{}+{}", FINBACK_VERSION, kSourceHash);
-  common.power_hash = report::content_hash(values_text(space.base.power->parameters()));
+  common.power_hash = runner::power_hash(*space.base.power);
   common.scene = space.base.scene.name;
-  common.scene_hash = scene_hash(space.base.scene);
+  common.scene_hash = runner::scene_hash(space.base.scene);
   common.frames = space.base.frames;
   std::map<Point, Layout> layouts;
   std::vector<Candidate> candidates;
@@ -225,7 +195,7 @@ std::vector<Candidate> prepare(const Space& space, const std::vector<Point>& poi
       candidate.identity.firmware = firmware.identity.name;
       candidate.identity.firmware_hash = firmware.identity.hash;
       candidate.identity.image_hash = layout->second.image_hash;
-      candidate.identity.machine_hash = machine_hash(*machine);
+      candidate.identity.machine_hash = runner::machine_hash(*machine);
       candidate.identity.cycle_limit = cycle_limit_of(space, *machine);
       candidate.identity.key = key_of(candidate.identity);
     }

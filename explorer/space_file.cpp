@@ -182,10 +182,8 @@ class SpaceReader {
     Axis axis = new_axis(AxisKind::firmware, "firmware");
     axis.choices = text_choices(*node, "variants");
     for (Choice& choice : axis.choices) {
-      // As in [run]: what looks like a path is one, and belongs to this file's folder.
-      const bool is_path = choice.text.find_first_of("/.") != std::string::npos;
       const std::string name =
-          is_path ? (fs::path(reader_.file()).parent_path() / choice.text).string() : choice.text;
+          runner::firmware_named_in(fs::path(reader_.file()).parent_path(), choice.text);
       try {
         static_cast<void>(runner::find_firmware(name, std::nullopt));
       } catch (const InputError& error) {

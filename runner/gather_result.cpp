@@ -8,6 +8,7 @@
 #include <report/metrics.hpp>
 #include <runner/gather_program.hpp>
 #include <runner/gather_result.hpp>
+#include <runner/identity.hpp>
 #include <stereo_reference/evaluation.hpp>
 
 namespace finback::runner {
@@ -132,42 +133,12 @@ std::optional<report::Accuracy> gather_accuracy(const scenes::FloatImage& truth,
   return accuracy;
 }
 
-// Hashes are over the values in force, so that two files that mean the same have the same.
-std::string values_text(const ParameterBase& parameter) {
-  return fmt::format("{} = {}\n", parameter.declaration().name, parameter.value());
-}
-
-std::string machine_hash(const machine::MachineDescription& description) {
-  std::string text;
-  for (const ParameterBase* parameter : description.parameters()) {
-    text += values_text(*parameter);
-  }
-  for (const memory::Region& region : description.map.regions) {
-    text += fmt::format("{} {} {:#x} {}\n", region.core, region.name, region.base, region.size);
-  }
-  return report::content_hash(text);
-}
-
-std::string power_hash(const power::PowerParameters& parameters) {
-  std::string text;
-  for (const ParameterBase* parameter : parameters.parameters()) {
-    text += values_text(*parameter);
-  }
-  return report::content_hash(text);
-}
-
-std::string scene_hash(const scenes::Scene& scene) {
-  std::string bytes;
-  for (const scenes::ByteImage* image : {&scene.left, &scene.right}) {
-    bytes.append(image->pixels().begin(), image->pixels().end());
-  }
-  return report::content_hash(bytes);
-}
-
 }  // namespace
 
 report::RunResult gather_result(const RunInputs& inputs, const ir::Image& image,
-                                machine::Machine& machine, Cycles end) {
+                                machine::Machine& machine,
+                                const std::array<core::CoreProfile, kCoreCount>& profiles,
+                                Cycles end) {
   const machine::MachineDescription& description = *inputs.machine;
   const memory::MemorySystem& memory = machine.memory();
   report::RunResult result;
@@ -190,7 +161,7 @@ report::RunResult gather_result(const RunInputs& inputs, const ir::Image& image,
   activity.cycles = std::max<Cycles>(1, end);
   activity.external_beats = external_beats(memory);
   for (const CoreId core : {CoreId::a, CoreId::b}) {
-    const core::CoreProfile profile = machine.profile(core);
+    const core::CoreProfile& profile = profiles[static_cast<std::size_t>(core)];
     gather_program(core, image.cores[static_cast<std::size_t>(core)], profile, result);
     gather_stack(core, image, machine, result.cores.back());
     activity.cores[static_cast<std::size_t>(core)] = core_activity(profile, end);

@@ -7,8 +7,9 @@
 
 namespace finback::runner {
 
-// Fills everything from a machine that ran to `end`.
-[[nodiscard]] report::RunResult gather_result(const RunInputs& inputs, const ir::Image& image,
-                                              machine::Machine& machine, Cycles end);
+// Fills everything from a machine that ran to `end`, and what its cores then told.
+[[nodiscard]] report::RunResult gather_result(
+    const RunInputs& inputs, const ir::Image& image, machine::Machine& machine,
+    const std::array<core::CoreProfile, kCoreCount>& profiles, Cycles end);
 
 }  // namespace finback::runner

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <common/parameter.hpp>
+#include <common/pattern.hpp>
 #include <runner/movables.hpp>
 
 namespace finback::runner {
@@ -46,7 +47,7 @@ std::vector<std::string> matching(const std::vector<std::string>& names,
                                   const std::string& pattern) {
   std::vector<std::string> found;
   std::ranges::copy_if(names, std::back_inserter(found),
-                       [&](const std::string& name) { return ir::matches_pattern(pattern, name); });
+                       [&](const std::string& name) { return matches_pattern(pattern, name); });
   return found;
 }
 

@@ -69,11 +69,11 @@ RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
   if (!trouble.empty()) {
     throw GuestFault(fmt::format("firmware {} {}", units.name, trouble));
   }
-  outcome.result = gather_result(inputs, image, machine, stop.time);
-  outcome.maps = host.maps();
   for (const CoreId core : {CoreId::a, CoreId::b}) {
     outcome.profiles[static_cast<std::size_t>(core)] = machine.profile(core);
   }
+  outcome.result = gather_result(inputs, image, machine, outcome.profiles, stop.time);
+  outcome.maps = host.maps();
   outcome.image = std::move(image);
   return outcome;
 }

@@ -85,6 +85,10 @@ RunInputs load_inputs(const RunRequest& request) {
   return inputs;
 }
 
+std::string firmware_named_in(const fs::path& folder, const std::string& name) {
+  return name.find_first_of("/.") != std::string::npos ? (folder / name).string() : name;
+}
+
 RunRequest read_run_request(const TomlReader& reader, const toml::table& table) {
   reader.check_keys(table, "[run]",
                     {"firmware", "scene", "left", "right", "frames", "machine", "placement",
@@ -95,10 +99,8 @@ RunRequest read_run_request(const TomlReader& reader, const toml::table& table) 
     return text.empty() ? text : (folder / text).string();
   };
   RunRequest request;
-  // Firmwares and scenes have names; what looks like a path is one.
   if (const std::string name = reader.string(table, "firmware"); !name.empty()) {
-    const bool is_path = name.find('/') != std::string::npos || name.find('.') != std::string::npos;
-    request.firmware = is_path ? (folder / name).string() : name;
+    request.firmware = firmware_named_in(folder, name);
   }
   if (const std::string name = reader.string(table, "scene"); !name.empty()) {
     request.scene = name;

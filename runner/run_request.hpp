@@ -32,6 +32,11 @@ inline constexpr std::uint32_t kMostFrames = 10000;
 // Loads everything that `request` names. Throws InputError.
 [[nodiscard]] RunInputs load_inputs(const RunRequest& request);
 
+// A firmware that a file in `folder` names, as find_firmware takes it: what looks like a path is
+// one, relative to the folder.
+[[nodiscard]] std::string firmware_named_in(const std::filesystem::path& folder,
+                                            const std::string& name);
+
 // Reads the keys of a [run] table, which are the options of `finback run`: firmware, scene, left,
 // right, frames, machine, placement, power, place, set, max_seconds. Paths are relative to the
 // file. Throws InputError naming the line.

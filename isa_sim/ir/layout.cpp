@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <common/parameter.hpp>
+#include <common/pattern.hpp>
 #include <isa_sim/ir/layout.hpp>
 #include <isa_sim/isa/instruction.hpp>
 

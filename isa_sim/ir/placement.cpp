@@ -124,28 +124,6 @@ Placement load_placement(const std::filesystem::path& path) {
   return parse_placement(read_text_file(path), path.string());
 }
 
-bool matches_pattern(std::string_view pattern, std::string_view name) {
-  std::size_t p = 0;
-  std::size_t n = 0;
-  std::size_t star = std::string_view::npos;  // the last '*' seen ...
-  std::size_t resume = 0;                     // ... and how far of the name it takes
-  while (n < name.size()) {
-    if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n]) && pattern[p] != '*') {
-      ++p;
-      ++n;
-    } else if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      resume = n;
-    } else if (star != std::string_view::npos) {
-      p = star + 1;
-      n = ++resume;
-    } else {
-      return false;
-    }
-  }
-  return pattern.find_first_not_of('*', p) == std::string_view::npos;
-}
-
 std::string_view owner_name(Owner owner) {
   static constexpr std::array<std::string_view, 3> kNames = {"core_a", "core_b", "shared"};
   return kNames.at(static_cast<std::size_t>(owner));

@@ -65,9 +65,6 @@ struct Placement {
 [[nodiscard]] Placement parse_placement(std::string_view text, const std::string& file);
 [[nodiscard]] Placement load_placement(const std::filesystem::path& path);
 
-// Whether `pattern` (`*` any characters, `?` one) matches all of `name`.
-[[nodiscard]] bool matches_pattern(std::string_view pattern, std::string_view name);
-
 // "core_a", "core_b", "shared".
 [[nodiscard]] std::string_view owner_name(Owner owner);
 

@@ -9,6 +9,7 @@
 #include "../cli/program.hpp"
 #include <budget/demand.hpp>
 #include <common/file.hpp>
+#include <common/pattern.hpp>
 
 namespace finback::cli {
 namespace {
@@ -81,7 +82,7 @@ TEST_F(Manual, NamesEveryMetricAndNoOther) {
     words >> name >> value >> unit;
     bool told = false;
     for (const auto& [pattern, its_unit] : families) {
-      if (budget::matches(pattern, name) && its_unit == unit) {
+      if (matches_pattern(pattern, name) && its_unit == unit) {
         seen.insert(pattern);
         told = true;
       }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <budget/demand.hpp>
+#include <common/pattern.hpp>
 
 namespace finback::budget {
 namespace {
@@ -88,15 +89,15 @@ TEST(Demand, MeasuresItsExcess) {
 }
 
 TEST(Pattern, Matches) {
-  EXPECT_TRUE(matches("function.core_b.*.calls", "function.core_b.census_row.calls"));
-  EXPECT_TRUE(matches("memory.*.free_bytes", "memory.core_b.l1.data.a.free_bytes"));
-  EXPECT_TRUE(matches("core_?.cycles", "core_a.cycles"));
-  EXPECT_TRUE(matches("*", ""));
-  EXPECT_TRUE(matches("a*b*c", "a_b_b_c"));
-  EXPECT_FALSE(matches("core_?.cycles", "core_.cycles"));
-  EXPECT_FALSE(matches("function.*.calls", "function.core_b.main.calls_per_frame"));
-  EXPECT_FALSE(matches("cycles", "cycles_per_frame"));
-  EXPECT_FALSE(matches("a*b", "a_b_c"));
+  EXPECT_TRUE(matches_pattern("function.core_b.*.calls", "function.core_b.census_row.calls"));
+  EXPECT_TRUE(matches_pattern("memory.*.free_bytes", "memory.core_b.l1.data.a.free_bytes"));
+  EXPECT_TRUE(matches_pattern("core_?.cycles", "core_a.cycles"));
+  EXPECT_TRUE(matches_pattern("*", ""));
+  EXPECT_TRUE(matches_pattern("a*b*c", "a_b_b_c"));
+  EXPECT_FALSE(matches_pattern("core_?.cycles", "core_.cycles"));
+  EXPECT_FALSE(matches_pattern("function.*.calls", "function.core_b.main.calls_per_frame"));
+  EXPECT_FALSE(matches_pattern("cycles", "cycles_per_frame"));
+  EXPECT_FALSE(matches_pattern("a*b", "a_b_c"));
 }
 
 }  // namespace

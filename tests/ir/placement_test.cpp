@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tests/ir/support.hpp>
 
+#include <common/pattern.hpp>
 #include <isa_sim/ir/placement.hpp>
 
 namespace finback::ir {
