@@ -1,10 +1,8 @@
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
 #include <system_error>
 #include <thread>
-#include <unistd.h>
 
 #include <cli/commands.hpp>
 #include <cli/progress.hpp>
@@ -45,55 +43,23 @@ struct Options {
   bool dry_run = false;
 };
 
-// How far the simulations are, on stderr when that is a terminal.
-class PointProgress {
- public:
-  explicit PointProgress(std::size_t points)
-      : points_(points), terminal_(::isatty(STDERR_FILENO) == 1) {}
-  ~PointProgress() { wipe(); }
-  PointProgress(const PointProgress&) = delete;
-  PointProgress& operator=(const PointProgress&) = delete;
+std::string duration_text(double seconds) {
+  const auto whole = std::lround(seconds);
+  return whole < 60     ? fmt::format("{} s", whole)
+         : whole < 3600 ? fmt::format("{} min {:02} s", whole / 60, whole % 60)
+                        : fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
 
-  void show(std::size_t done) {
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun_;
-    if (!terminal_ || spent.count() < 1) {
-      return;
-    }
-    constexpr std::size_t kWidth = 30;
-    const std::size_t filled = kWidth * done / points_;
-    fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}/{} points", "", filled, "", kWidth - filled, done,
-               points_);
-    if (done > 0) {
-      const double rate = static_cast<double>(done) / spent.count();
-      fmt::print(stderr, ", {:.0f} a minute, {} left", rate * 60,
-                 duration_text(static_cast<double>(points_ - done) / rate));
-    }
-    fmt::print(stderr, "\033[K");
-    std::fflush(stderr);
-    shown_ = true;
+// "12/64 points, 480 a minute, 7 s left"
+std::string progress_text(std::size_t done, std::size_t points, double seconds) {
+  std::string text = fmt::format("{}/{} points", done, points);
+  if (done > 0) {
+    const double rate = static_cast<double>(done) / seconds;
+    text += fmt::format(", {:.0f} a minute, {} left", rate * 60,
+                        duration_text(static_cast<double>(points - done) / rate));
   }
-
-  void wipe() {
-    if (shown_) {
-      fmt::print(stderr, "\r\033[K");
-      std::fflush(stderr);
-      shown_ = false;
-    }
-  }
-
- private:
-  static std::string duration_text(double seconds) {
-    const auto whole = std::lround(seconds);
-    return whole < 60     ? fmt::format("{} s", whole)
-           : whole < 3600 ? fmt::format("{} min {:02} s", whole / 60, whole % 60)
-                          : fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
-  }
-
-  std::size_t points_;
-  bool terminal_;
-  bool shown_ = false;
-  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
-};
+  return text;
+}
 
 // What would fail at the end is better known at the beginning.
 void check_output(const char* option, const std::string& path) {
@@ -143,10 +109,11 @@ bool fill(const Options& options, const Space& space, const std::vector<Candidat
   if (to_check && plan.known > 0 && !store.metric_names().empty()) {
     check_metrics(asked, store.metric_names());
   }
-  PointProgress progress(plan.to_simulate.size());
+  const std::size_t points = plan.to_simulate.size();
+  ProgressBar progress(points);
   Observer observer;
   observer.watch = [&](std::size_t done) {
-    progress.show(done);
+    progress.show(done, [&] { return progress_text(done, points, progress.seconds()); });
     return interrupted();
   };
   observer.finished = [&](const Candidate&, const Result& result) {
@@ -156,14 +123,14 @@ bool fill(const Options& options, const Space& space, const std::vector<Candidat
     }
   };
   const std::size_t done = simulate(space, candidates, plan, store, options.jobs, observer);
-  if (done == plan.to_simulate.size()) {
+  if (done == points) {
     return true;
   }
   progress.wipe();
   fmt::print(stderr,
              "finback: interrupted; {} of {} simulations are kept in {}; the same "
              "command goes on from there\n",
-             done, plan.to_simulate.size(), database_of(options).string());
+             done, points, database_of(options).string());
   return false;
 }
 

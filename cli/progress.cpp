@@ -28,25 +28,26 @@ void catch_interrupts() {
 
 bool interrupted() { return interrupt_seen != 0; }
 
-ProgressBar::ProgressBar(std::uint32_t frames, double core_hertz)
-    : frames_(std::max<std::uint32_t>(1, frames)),
-      core_hertz_(core_hertz),
+ProgressBar::ProgressBar(std::size_t total)
+    : total_(std::max<std::size_t>(1, total)),
       terminal_(::isatty(STDERR_FILENO) == 1),
       begun_(std::chrono::steady_clock::now()),
       drawn_(begun_) {}
 
-void ProgressBar::show(Cycles now, std::uint32_t frames_done) {
+void ProgressBar::show(std::size_t done, const std::function<std::string()>& detail) {
   const auto time = std::chrono::steady_clock::now();
   if (!terminal_ || time - begun_ < kQuietTime || time - drawn_ < kRedrawTime) {
     return;
   }
   drawn_ = time;
   shown_ = true;
-  const std::size_t filled = kBarWidth * std::min(frames_done, frames_) / frames_;
-  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}/{} frames, {:.1f} ms simulated ", "", filled, "",
-             kBarWidth - filled, frames_done, frames_,
-             static_cast<double>(now) / core_hertz_ * 1e3);
+  const std::size_t filled = kBarWidth * std::min(done, total_) / total_;
+  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}\033[K", "", filled, "", kBarWidth - filled, detail());
   std::fflush(stderr);
+}
+
+double ProgressBar::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
 }
 
 void ProgressBar::wipe() {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
-
-#include <common/units.hpp>
+#include <cstddef>
+#include <functional>
+#include <string>
 
 namespace finback::cli {
 
@@ -15,17 +15,20 @@ void catch_interrupts();
 // A bar on stderr when that is a terminal and the work has taken two seconds; wiped at the end.
 class ProgressBar {
  public:
-  ProgressBar(std::uint32_t frames, double core_hertz);
+  // `total`: steps of the work.
+  explicit ProgressBar(std::size_t total);
   ~ProgressBar() { wipe(); }
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  void show(Cycles now, std::uint32_t frames_done);
+  // `detail` is asked for what stands behind the bar, when it is drawn.
+  void show(std::size_t done, const std::function<std::string()>& detail);
   void wipe();
+  // Since it was made.
+  [[nodiscard]] double seconds() const;
 
  private:
-  std::uint32_t frames_;
-  double core_hertz_;
+  std::size_t total_;
   bool terminal_;
   bool shown_ = false;
   std::chrono::steady_clock::time_point begun_;

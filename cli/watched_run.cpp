@@ -6,10 +6,13 @@
 namespace finback::cli {
 
 std::optional<runner::RunOutcome> run_watched(const runner::RunInputs& inputs) {
-  ProgressBar bar(inputs.frames, inputs.machine->clock.cclk_mhz * 1e6);
+  ProgressBar bar(inputs.frames);
   runner::RunObserver observer;
-  observer.cancelled = [&bar](Cycles now, std::uint32_t frames_done) {
-    bar.show(now, frames_done);
+  observer.cancelled = [&](Cycles now, std::uint32_t frames_done) {
+    bar.show(frames_done, [&] {
+      return fmt::format("{}/{} frames, {:.1f} ms simulated", frames_done, inputs.frames,
+                         static_cast<double>(now) / inputs.machine->clock.cclk_mhz / 1e3);
+    });
     return interrupted();
   };
   observer.console = [&bar](const std::string& line) {
