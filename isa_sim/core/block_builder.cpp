@@ -205,15 +205,11 @@ void BlockBuilder::add_operations(Draft& draft, const ir::PlacedPacket& packet, 
     add_conflict_check(draft, packet, index, cycle);
   }
   for (std::size_t i = 0; i < count; ++i) {
-    Operation operation;
-    operation.execute = info_of(*order[i]).execute;
-    operation.operand = order[i]->operand;
+    Operation operation = operation_of(*order[i], packet);
     operation.window = no_window();
     operation.site = index;
     operation.cycle = static_cast<std::uint16_t>(cycle);
-    operation.length = packet.length;
     operation.access_bytes = static_cast<std::uint8_t>(access_bytes(*order[i]));
-    operation.address = packet.address;
     if (i > 0 && info_of(*order[i]).memory == MemoryUse::store) {
       save_store_source(draft, std::span(order).first(count), *order[i], operation);
     }

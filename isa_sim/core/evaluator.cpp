@@ -104,12 +104,8 @@ void Evaluator::execute(const ir::PlacedPacket& packet) {
   for (const ir::PlacedInstruction* instruction : order) {
     ExecutionState copy = before;
     copy.next_address = fall_through;
-    Operation operation;
-    operation.execute = info_of(*instruction).execute;
-    operation.operand = instruction->operand;
+    Operation operation = operation_of(*instruction, packet);
     operation.window = no_window();
-    operation.length = packet.length;
-    operation.address = packet.address;
     operation.execute(copy, &operation);
     merge(before, copy);
     if (copy.next_address != fall_through) {

@@ -1,6 +1,7 @@
 // Questions that the timing and the engines ask of a placed instruction.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include <isa_sim/core/core_parameters.hpp>
@@ -11,6 +12,24 @@ namespace finback::core {
 
 [[nodiscard]] inline const isa::Instruction& info_of(const ir::PlacedInstruction& instruction) {
   return isa::instruction_table()[static_cast<std::size_t>(instruction.instruction)];
+}
+
+// The operation that carries out `instruction` within `packet`: its meaning and its operands.
+[[nodiscard]] inline isa::Operation operation_of(const ir::PlacedInstruction& instruction,
+                                                 const ir::PlacedPacket& packet) {
+  const isa::Instruction& info = info_of(instruction);
+  isa::Operation operation;
+  operation.execute = info.execute;
+  std::copy_n(instruction.operand.begin(), isa::kOperationOperands, operation.operand.begin());
+  if (info.prepare != nullptr) {
+    info.prepare(instruction.operand, operation);
+  }
+  if (info.execute_aligned != nullptr && info_of(packet.slots[0]).aligns) {
+    operation.execute = info.execute_aligned;
+  }
+  operation.length = packet.length;
+  operation.address = packet.address;
+  return operation;
 }
 
 [[nodiscard]] inline Cycles cycles_of(const IntegerParameter& parameter) {

@@ -35,6 +35,11 @@ class Verifier {
     for (const Function& function : program_.functions) {
       verify_function(function);
     }
+    for (const Piece& piece : program_.pieces) {
+      for (const PiecePacket& at : piece.packets) {
+        verify_packet(at.packet);
+      }
+    }
     for (const Object& object : program_.objects) {
       if (object.size == 0) {
         report(object.written, fmt::format("object {} has no bytes", object.name));
@@ -66,12 +71,21 @@ class Verifier {
         verify_slots(packet);
         verify_anomaly(packet);
       }
+      verify_operands(packet);
       verify_destinations(packet);
       if (form(packet.slots[0]).flow == Flow::loop_setup) {
         verify_loop(function, i);
       }
     }
     verify_end(function);
+  }
+
+  void verify_packet(const Packet& packet) {
+    if (packet.slots.size() > 1) {
+      verify_slots(packet);
+      verify_anomaly(packet);
+    }
+    verify_destinations(packet);
   }
 
   void verify_slots(const Packet& packet) {
@@ -118,6 +132,21 @@ class Verifier {
     }
   }
 
+  // The rules of single instructions, such as results that go to neighbours.
+  void verify_operands(const Packet& packet) {
+    for (const ParsedInstruction& instruction : packet.slots) {
+      const isa::Check check = form(instruction).check;
+      if (check == nullptr) {
+        continue;
+      }
+      isa::OperandNumbers numbers{};
+      std::ranges::transform(instruction.operand, numbers.begin(), &OperandValue::number);
+      if (const std::string_view problem = check(numbers); !problem.empty()) {
+        report(packet.written, fmt::format("'{}': {}", syntax_.print(instruction), problem));
+      }
+    }
+  }
+
   // Anomaly 05000074: an immediate shift in slot 0 with a store of a P register in slot 1.
   void verify_anomaly(const Packet& packet) {
     bool shift = false;
@@ -127,7 +156,7 @@ class Verifier {
       const OperandRoles& roles = syntax_.roles(instruction.instruction);
       shift = shift ||
               (entry.slot == Slot::dsp && std::ranges::any_of(roles, [](const OperandRole& role) {
-                 return !isa::is_register(role.kind);
+                 return isa::immediate_range(role.kind).has_value();
                }));
       pointer_stored = pointer_stored ||
                        (stores(entry) && std::ranges::any_of(roles, [](const OperandRole& role) {

@@ -82,6 +82,12 @@ enum Implicit : std::uint32_t {
 // What an instruction does to memory, for the packet rules and counters.
 enum class MemoryUse : std::uint8_t { none, load, store, load_store };
 
+// Further rules for an instruction's operands: what is wrong with them, or "".
+using Check = std::string_view (*)(const OperandNumbers& operand);
+// Prepares an operation: chooses its meaning by options, packs operands. Without one, the operation
+// takes the first operands as they are.
+using Prepare = void (*)(const OperandNumbers& operand, Operation& operation);
+
 struct Instruction {
   std::string_view syntax;  // operands by kind and role, see OperandKind
   int length = 2;           // bytes
@@ -95,7 +101,11 @@ struct Instruction {
   Energy energy = Energy::alu;
   std::uint32_t implicit = kNothing;
   Execute execute = nullptr;
-  std::string_view meaning = {};  // one line for the manual; "" when the syntax says it all
+  Check check = nullptr;
+  Prepare prepare = nullptr;
+  Execute execute_aligned = nullptr;  // beside an instruction that aligns the packet's accesses
+  bool aligns = false;                // it does: DISALGNEXCPT and what implies it
+  std::string_view meaning = {};      // one line for the manual; "" when the syntax says it all
 };
 
 // The whole table. An instruction's index in it is its identity within one version of Finback.

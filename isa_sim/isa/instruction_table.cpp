@@ -8,7 +8,8 @@ std::span<const Instruction> instruction_table() {
   static const std::vector<Instruction> table = [] {
     std::vector<Instruction> all;
     for (const auto part : {memory_instructions(), move_instructions(), arithmetic_instructions(),
-                            dsp_instructions(), shift_instructions(), control_instructions()}) {
+                            alu_instructions(), multiply_instructions(), accumulator_instructions(),
+                            video_instructions(), shift_instructions(), control_instructions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

@@ -107,6 +107,10 @@ std::string readable(std::string_view syntax) {
     std::string inside(syntax.substr(1, syntax.find('}') - 1));
     syntax.remove_prefix(inside.size() + 2);
     std::erase_if(inside, [](char c) { return c == '!' || c == '+' || c == '@' || c == '?'; });
+    if (const auto kind = kind_by_name(inside); kind && is_choice(*kind)) {
+      text += text.ends_with(' ') ? "" : " ";
+      inside = fmt::format("<{}>", inside);
+    }
     if (inside.starts_with('=')) {
       inside = names.at(static_cast<std::size_t>(inside[1] - '0'));
     } else {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace finback::isa {
@@ -23,6 +24,8 @@ enum class OperandKind : std::uint8_t {
   data_high,     // {Dh}    R0.H
   data_half,     // {Dx}    R0.L or R0.H
   data_byte,     // {Db}    R0.B
+  data_even,     // {Deven} R0, R2, R4, R6
+  data_odd,      // {Dodd}  R1, R3, R5, R7
   pointer,       // {P}     P0..P5, SP, FP
   index,         // {I}
   modify,        // {M}
@@ -33,6 +36,27 @@ enum class OperandKind : std::uint8_t {
   data_pair,     // {DD}    R1:0 or R3:2 (value: the lower register)
   data_list,     // {Dlist} R7:n (value: n)
   pointer_list,  // {Plist} P5:n (value: n)
+  // choices of a word or an option, by the names and spellings in operand.cpp; their value is the
+  // number of the choice. The empty spelling is the option left out.
+  accumulate,         // {acc}       =  +=  -=
+  accumulate_mode,    // {amode}     (FU) (IS) (W32)
+  accumulate_mode_m,  // {amode_m}   the same with or without M
+  half_mode,          // {hmode}     (FU) (IS) (IU) (T) (TFU) (S2RND) (ISS2) (IH)
+  half_mode_m,        // {hmode_m}
+  word_mode,          // {wmode}     (FU) (IS) (IU) (S2RND) (ISS2)
+  word_mode_m,        // {wmode_m}
+  mixed,              // {m}         (M)
+  lanes,              // {lanes}     +|+  +|-  -|+  -|-
+  lane_mode,          // {sco}       (S) (CO) (SCO)
+  lane_shift_mode,    // {sco_sft}   the same with or without ASR or ASL
+  wide_saturate,      // {ns}        (NS) (S)
+  wide_accumulate,    // {w32}       (W32)
+  byte_order,         // {r}         (R)
+  byte_average,       // {avg}       (R) (T) (T, R)
+  byte_round,         // {rnd}       (RNDL) (RNDH) (TL) (TH), each with or without R
+  byte_half,          // {lohi}      (LO) (HI), with or without R
+  relation,           // {rel}       (GT) (GE) (LT) (LE)
+  shift_side,         // {side}      (ASL) (ASR)
   // immediates: the table in operand.cpp has bits, sign and scale of each
   imm3,
   imm4,
@@ -82,6 +106,17 @@ struct ImmediateRange {
 [[nodiscard]] constexpr bool is_register(OperandKind kind) {
   return kind <= OperandKind::pointer_list;
 }
+[[nodiscard]] constexpr bool is_choice(OperandKind kind) {
+  return kind >= OperandKind::accumulate && kind <= OperandKind::shift_side;
+}
+
+// One way to write a choice. Several spellings may stand for one value: the first is printed.
+struct Spelling {
+  std::string_view text;
+  std::int32_t value = 0;
+};
+// Of a choice; empty for other kinds.
+[[nodiscard]] std::span<const Spelling> spellings(OperandKind kind);
 
 // One operand of a pattern.
 struct OperandRole {
@@ -91,6 +126,7 @@ struct OperandRole {
   bool address_stage = false;  // read in stage AC
 };
 
-inline constexpr int kMaxOperands = 6;
+// Of one instruction: a vector multiply-accumulate into two halves has ten.
+inline constexpr int kMaxOperands = 10;
 
 }  // namespace finback::isa

@@ -27,9 +27,15 @@ struct ExecutionState;
 // an access that must wait for the other actors (then `retry` is set).
 using Execute = const Operation* (*)(ExecutionState&, const Operation*);
 
+// An instruction's operands, each a number, in the order of its pattern.
+using OperandNumbers = std::array<std::int32_t, kMaxOperands>;
+
+// What a meaning works on: fewer operands than the text may have, packed by Instruction::prepare.
+inline constexpr std::size_t kOperationOperands = 6;
+
 struct Operation {
   Execute execute = nullptr;
-  std::array<std::int32_t, kMaxOperands> operand{};
+  std::array<std::int32_t, kOperationOperands> operand{};
   mutable MemoryWindow* window =
       nullptr;              // the window hit last by this access site, never null for an access
   std::uint32_t site = 0;   // index of the access site's statistics in the engine

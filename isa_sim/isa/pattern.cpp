@@ -92,6 +92,27 @@ std::string print_register_kind(OperandKind kind, int value) {
   }
 }
 
+// An option stands apart from what it belongs to; other choices have their blanks in the pattern.
+std::string print_choice(OperandKind kind, int value) {
+  const auto all = spellings(kind);
+  const auto found = std::ranges::find(all, value, &Spelling::value);
+  if (found == all.end() || found->text.empty()) {
+    return "";
+  }
+  return found->text.starts_with('(') ? fmt::format(" {}", found->text) : std::string(found->text);
+}
+
+// "(GT), (GE), (LT) or (LE)"
+std::string describe_choice(OperandKind kind) {
+  std::string text;
+  for (const Spelling& spelling : spellings(kind)) {
+    if (!spelling.text.empty()) {
+      text += fmt::format("{}{}", text.empty() ? "" : " or ", spelling.text);
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 Pattern compile_pattern(std::string_view syntax) {
@@ -159,6 +180,9 @@ std::string print_operand(OperandKind kind, const OperandValue& value) {
   if (is_register(kind)) {
     return print_register_kind(kind, value.number);
   }
+  if (is_choice(kind)) {
+    return print_choice(kind, value.number);
+  }
   return is_code_address(kind) ? fmt::format("0x{:x}", static_cast<std::uint32_t>(value.number))
                                : fmt::format("{}", value.number);
 }
@@ -166,6 +190,9 @@ std::string print_operand(OperandKind kind, const OperandValue& value) {
 std::string describe(OperandKind kind) {
   if (is_code_address(kind)) {
     return "a label";
+  }
+  if (is_choice(kind)) {
+    return describe_choice(kind);
   }
   if (const auto range = immediate_range(kind)) {
     return fmt::format("a number {}..{}{}", range->minimum, range->maximum,
@@ -182,6 +209,10 @@ std::string describe(OperandKind kind) {
       return "a half register R0.L..R7.H";
     case OperandKind::data_byte:
       return "a byte register R0.B..R7.B";
+    case OperandKind::data_even:
+      return "an even data register R0, R2, R4 or R6";
+    case OperandKind::data_odd:
+      return "an odd data register R1, R3, R5 or R7";
     case OperandKind::pointer:
       return "a pointer register P0..P5, SP, FP";
     case OperandKind::index:

@@ -230,23 +230,6 @@ inline void set_overflow(ExecutionState& s, bool overflow) {
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(value) >> std::min(-left, 31));
 }
 
-enum class MultiplyMode : std::uint8_t { signed_fraction, signed_integer, unsigned_fraction };
-
-[[nodiscard]] inline std::int64_t multiply_halves(std::uint16_t a, std::uint16_t b,
-                                                  MultiplyMode mode) {
-  if (mode == MultiplyMode::unsigned_fraction) {
-    return std::int64_t{a} * b;
-  }
-  const std::int64_t product = std::int64_t{std::int16_t(a)} * std::int16_t(b);
-  if (mode == MultiplyMode::signed_integer) {
-    return product;
-  }
-  return product == 0x40000000 ? 0x7fffffff : product * 2;  // -1 x -1 saturates
-}
-[[nodiscard]] inline std::int64_t saturate40(std::int64_t value) {
-  constexpr std::int64_t kLimit = std::int64_t{1} << 39;
-  return std::clamp(value, -kLimit, kLimit - 1);
-}
 [[nodiscard]] inline std::uint32_t saturate32(ExecutionState& s, std::int64_t value) {
   const std::int64_t clipped = std::clamp<std::int64_t>(
       value, std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max());

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
+#include <map>
 #include <unordered_map>
 
 #include <common/error.hpp>
@@ -46,6 +47,10 @@ struct Node {
   int entry = -1;              // the pattern that ends here
 };
 
+// The spellings of each kind of choice, taken apart into tokens.
+using Choices =
+    std::map<OperandKind, std::vector<std::pair<std::vector<std::string>, std::int32_t>>>;
+
 // An operand that does not fit, in a reading that is otherwise complete.
 struct Misfit {
   std::size_t token = 0;
@@ -58,6 +63,10 @@ bool takes_register(OperandKind kind, int reg) {
   switch (kind) {
     case OperandKind::data:
       return is_data_register(reg);
+    case OperandKind::data_even:
+      return is_data_register(reg) && (reg - R0) % 2 == 0;
+    case OperandKind::data_odd:
+      return is_data_register(reg) && (reg - R0) % 2 == 1;
     case OperandKind::pointer:
       return is_pointer_register(reg);
     case OperandKind::index:
@@ -107,6 +116,7 @@ bool fits(OperandKind kind, std::int64_t value) {
 struct Syntax::Compiled {
   std::vector<Pattern> patterns;
   std::vector<Node> nodes{Node{}};
+  Choices choices;
   std::unordered_map<std::string_view, Word> words;
   std::vector<std::unique_ptr<std::string>> word_texts;  // what the keys of `words` view
   std::vector<std::pair<int, int>> same_syntax;
@@ -158,7 +168,23 @@ struct Syntax::Compiled {
     return added;
   }
 
+  void add_choice(OperandKind kind) {
+    auto& all = choices[kind];
+    for (const Spelling& spelling : spellings(kind)) {
+      auto& [texts, value] = all.emplace_back();
+      value = spelling.value;
+      for (const Token& token : tokenize(spelling.text)) {
+        texts.emplace_back(token.text);
+      }
+    }
+  }
+
   void add(int entry, Pattern pattern) {
+    for (const OperandRole& role : pattern.roles) {
+      if (is_choice(role.kind) && !choices.contains(role.kind)) {
+        add_choice(role.kind);
+      }
+    }
     add_steps(entry, pattern.steps);
     if (!pattern.short_steps.empty()) {
       add_steps(entry, pattern.short_steps);
@@ -211,9 +237,10 @@ namespace {
 // order. When `misfits` is given, one operand of each reading may be anything.
 class Matcher {
  public:
-  Matcher(const std::vector<Node>& nodes, std::span<const Token> tokens, std::vector<Word> words,
-          int plus, int minus, std::vector<Misfit>* misfits)
+  Matcher(const std::vector<Node>& nodes, const Choices& choices, std::span<const Token> tokens,
+          std::vector<Word> words, int plus, int minus, std::vector<Misfit>* misfits)
       : nodes_(nodes),
+        choices_(choices),
         tokens_(tokens),
         words_(std::move(words)),
         plus_(plus),
@@ -234,6 +261,11 @@ class Matcher {
   // `negative`: the pattern's '+' was written '-', so the next operand is a number to be negated.
   void walk(int node_index, std::size_t position, int operands, bool negative) {
     const Node& node = nodes_[static_cast<std::size_t>(node_index)];
+    for (const Node::Edge& edge : node.operands) {
+      if (is_choice(edge.step.operand) && !negative) {
+        walk_choice(edge, position, operands);
+      }
+    }
     if (position == tokens_.size()) {
       if (node.entry >= 0) {
         finish(node.entry);
@@ -244,7 +276,7 @@ class Matcher {
       walk_literals(node, position, operands);
     }
     for (const Node::Edge& edge : node.operands) {
-      if (negative && is_register(edge.step.operand)) {
+      if (is_choice(edge.step.operand) || (negative && is_register(edge.step.operand))) {
         continue;
       }
       if (edge.step.kind == PatternStep::Kind::repeated) {
@@ -267,6 +299,46 @@ class Matcher {
         walk(edge.target, position + 1, operands, true);
       }
     }
+  }
+
+  void walk_choice(const Node::Edge& edge, std::size_t position, int operands) {
+    const auto slot = static_cast<std::size_t>(operands);
+    bool read = false;
+    for (const auto& [tokens, value] : choices_.at(edge.step.operand)) {
+      if (begins_with(tokens, position)) {
+        current_.operand[slot] = {value, nullptr};
+        walk(edge.target, position + tokens.size(), operands + 1, false);
+        read |= !tokens.empty();
+      }
+    }
+    if (!read && misfits_ != nullptr && !misfit_ && position < tokens_.size() &&
+        tokens_[position].is("(")) {
+      misfit_ = Misfit{position + 1, edge.step.operand, {}, false};
+      current_.operand[slot] = {};
+      walk(edge.target, after_parenthesis(position), operands + 1, false);
+      misfit_.reset();
+    }
+  }
+
+  [[nodiscard]] bool begins_with(const std::vector<std::string>& texts,
+                                 std::size_t position) const {
+    if (texts.size() > tokens_.size() - position) {
+      return false;
+    }
+    return std::ranges::equal(texts, tokens_.subspan(position, texts.size()),
+                              [](const std::string& text, const Token& token) {
+                                return std::ranges::equal(text, token.text,
+                                                          [](unsigned char a, unsigned char b) {
+                                                            return a == std::toupper(b);
+                                                          });
+                              });
+  }
+
+  [[nodiscard]] std::size_t after_parenthesis(std::size_t position) const {
+    while (position < tokens_.size() && !tokens_[position].is(")")) {
+      ++position;
+    }
+    return std::min(position + 1, tokens_.size());
   }
 
   void walk_operand(const Node::Edge& edge, std::size_t position, int operands, bool negative) {
@@ -392,6 +464,7 @@ class Matcher {
   }
 
   const std::vector<Node>& nodes_;
+  const Choices& choices_;
   std::span<const Token> tokens_;
   std::vector<Word> words_;
   int plus_;
@@ -459,8 +532,8 @@ std::optional<ParsedInstruction> Syntax::match(std::span<const Token> tokens) co
   if (tokens.empty()) {
     return std::nullopt;
   }
-  Matcher matcher(compiled_->nodes, tokens, compiled_->look_up_all(tokens), compiled_->plus,
-                  compiled_->minus, nullptr);
+  Matcher matcher(compiled_->nodes, compiled_->choices, tokens, compiled_->look_up_all(tokens),
+                  compiled_->plus, compiled_->minus, nullptr);
   const Reading reading = matcher.run();
   if (reading.entry < 0) {
     return std::nullopt;
@@ -480,8 +553,8 @@ SyntaxProblem Syntax::explain(std::span<const Token> tokens) const {
     return {"an instruction is missing", 0};
   }
   std::vector<Misfit> misfits;
-  Matcher matcher(compiled_->nodes, tokens, compiled_->look_up_all(tokens), compiled_->plus,
-                  compiled_->minus, &misfits);
+  Matcher matcher(compiled_->nodes, compiled_->choices, tokens, compiled_->look_up_all(tokens),
+                  compiled_->plus, compiled_->minus, &misfits);
   if (matcher.run().entry >= 0) {
     return {"nothing is wrong", 0};
   }

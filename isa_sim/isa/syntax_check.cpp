@@ -25,6 +25,10 @@ std::vector<OperandValue> sample_registers(OperandKind kind) {
     case OperandKind::data_low:
     case OperandKind::data_byte:
       return numbers({R0, R3, R7});
+    case OperandKind::data_even:
+      return numbers({R0, R2, R6});
+    case OperandKind::data_odd:
+      return numbers({R1, R5, R7});
     case OperandKind::data_high:
       return numbers({R0 | kHighHalf, R4 | kHighHalf, R7 | kHighHalf});
     case OperandKind::data_half:
@@ -102,6 +106,13 @@ std::vector<OperandValue> sample_values(OperandKind kind) {
   }
   if (is_register(kind)) {
     return sample_registers(kind);
+  }
+  if (is_choice(kind)) {
+    std::vector<OperandValue> result;
+    for (const Spelling& spelling : spellings(kind)) {
+      result.push_back({spelling.value, {}});
+    }
+    return result;
   }
   const ImmediateRange range = *immediate_range(kind);
   std::set<std::int32_t> values = {range.minimum, range.maximum, range.minimum + range.scale,

@@ -12,7 +12,10 @@ namespace finback::isa {
 [[nodiscard]] std::span<const Instruction> memory_instructions();
 [[nodiscard]] std::span<const Instruction> move_instructions();
 [[nodiscard]] std::span<const Instruction> arithmetic_instructions();
-[[nodiscard]] std::span<const Instruction> dsp_instructions();
+[[nodiscard]] std::span<const Instruction> alu_instructions();
+[[nodiscard]] std::span<const Instruction> multiply_instructions();
+[[nodiscard]] std::span<const Instruction> accumulator_instructions();
+[[nodiscard]] std::span<const Instruction> video_instructions();
 [[nodiscard]] std::span<const Instruction> shift_instructions();
 [[nodiscard]] std::span<const Instruction> control_instructions();
 

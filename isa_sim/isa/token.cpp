@@ -31,11 +31,11 @@ int digit_value(char c) {
 
 class Tokenizer {
  public:
-  Tokenizer(std::string_view text, const std::string& file) : text_(text), file_(file) {
-    tokens_.reserve(text.size() / 3);
-  }
+  Tokenizer(std::string_view text, Dialect dialect, std::vector<Token>& tokens)
+      : text_(text), dialect_(dialect), tokens_(tokens) {}
 
-  std::vector<Token> run() {
+  // Throws BadWord.
+  void run() {
     while (skip_blanks()) {
       Token token;
       token.first_in_line = line_ != last_token_line_;
@@ -44,7 +44,9 @@ class Tokenizer {
       const std::size_t start = position_;
       const char c = text_[position_];
       if (starts_name(c)) {
-        read_name(token);
+        if (!read_marked_number(token)) {
+          read_name(token);
+        }
       } else if (is_digit(c)) {
         read_number(token);
       } else if (c == '"') {
@@ -59,7 +61,6 @@ class Tokenizer {
       }
       tokens_.push_back(token);
     }
-    return std::move(tokens_);
   }
 
  private:
@@ -68,7 +69,7 @@ class Tokenizer {
     return position < text_.size() ? text_[position] : '\0';
   }
   [[noreturn]] void fail(const std::string& message) const {
-    throw InputError(SourcePlace{file_, line_, column()}, message);
+    throw BadWord{position_, line_, column(), message};
   }
 
   void new_line() {
@@ -120,6 +121,9 @@ class Tokenizer {
   }
 
   void read_number(Token& token) {
+    if (dialect_ == Dialect::assembler && read_assembler_number(token)) {
+      return;
+    }
     token.kind = TokenKind::number;
     const std::size_t start = position_;
     int base = 10;
@@ -136,6 +140,11 @@ class Tokenizer {
     std::int64_t value = 0;
     for (; position_ < text_.size() && continues_name(text_[position_]); ++position_) {
       const int digit = digit_value(text_[position_]);
+      if (digit >= base && ends_in_k(base)) {
+        value *= 1024;
+        ++position_;
+        break;
+      }
       if (digit >= base) {
         fail(fmt::format("'{}' is no digit of a base {} number", text_[position_], base));
       }
@@ -146,6 +155,63 @@ class Tokenizer {
       value = value * base + digit;
     }
     token.number = value;
+  }
+
+  // A fraction, or a reference to a numbered label.
+  bool read_assembler_number(Token& token) {
+    std::size_t end = position_;
+    while (is_digit(at(end))) {
+      ++end;
+    }
+    const char mark = static_cast<char>(at(end) | 0x20);
+    if ((mark == 'b' || mark == 'f') && !continues_name(at(end + 1))) {
+      token.kind = TokenKind::name;
+      position_ = end + 1;
+      return true;
+    }
+    if (text_.substr(position_, end - position_) != "0" || at(end) != '.' ||
+        !is_digit(at(end + 1))) {
+      return false;
+    }
+    std::int64_t digits = 0;
+    std::int64_t scale = 1;
+    for (++end; is_digit(at(end)); ++end) {
+      if (scale < 1'000'000'000'000) {
+        digits = digits * 10 + (at(end) - '0');
+        scale *= 10;
+      }
+    }
+    token.kind = TokenKind::number;
+    token.number = digits * 0x8000 / scale;
+    position_ = end;
+    return true;
+  }
+
+  // "h#1F": the letter names the base.
+  bool read_marked_number(Token& token) {
+    static constexpr std::string_view kLetters = "hobd";
+    static constexpr std::array kBases = {16, 8, 2, 10};
+    const std::size_t letter = kLetters.find(static_cast<char>(text_[position_] | 0x20));
+    if (dialect_ != Dialect::assembler || letter == std::string_view::npos ||
+        at(position_ + 1) != '#' || digit_value(at(position_ + 2)) >= kBases[letter]) {
+      return false;
+    }
+    token.kind = TokenKind::number;
+    std::int64_t value = 0;
+    for (position_ += 2; digit_value(at(position_)) < kBases[letter]; ++position_) {
+      if (value >> 32 != 0) {
+        fail("this number does not fit into 32 bits");
+      }
+      value = value * kBases[letter] + digit_value(at(position_));
+    }
+    token.number = value;
+    return true;
+  }
+
+  // "4k" is 4096.
+  [[nodiscard]] bool ends_in_k(int base) const {
+    return dialect_ == Dialect::assembler && base == 10 && (text_[position_] | 0x20) == 'k' &&
+           !continues_name(at(position_ + 1));
   }
 
   void read_text(Token& token) {
@@ -174,7 +240,9 @@ class Tokenizer {
       }
       value = kValues[letter];
     }
-    if (at(end + 1) != '\'') {
+    if (at(end + 1) != '\'' && dialect_ == Dialect::assembler && end < text_.size()) {
+      --end;  // without its second quote
+    } else if (at(end + 1) != '\'') {
       fail("a character stands between two quotes, as in 'a'");
     }
     token.number = static_cast<unsigned char>(value);
@@ -199,8 +267,8 @@ class Tokenizer {
   }
 
   std::string_view text_;
-  const std::string& file_;
-  std::vector<Token> tokens_;
+  Dialect dialect_;
+  std::vector<Token>& tokens_;
   std::size_t position_ = 0;
   std::size_t line_start_ = 0;
   int line_ = 1;
@@ -209,8 +277,23 @@ class Tokenizer {
 
 }  // namespace
 
+std::optional<BadWord> split_words(std::string_view text, Dialect dialect,
+                                   std::vector<Token>& tokens) {
+  try {
+    Tokenizer(text, dialect, tokens).run();
+  } catch (BadWord& bad) {
+    return std::move(bad);
+  }
+  return std::nullopt;
+}
+
 std::vector<Token> tokenize(std::string_view text, const std::string& file) {
-  return Tokenizer(text, file).run();
+  std::vector<Token> tokens;
+  tokens.reserve(text.size() / 3);
+  if (const auto bad = split_words(text, Dialect::bir, tokens)) {
+    throw InputError(SourcePlace{file, bad->line, bad->column}, bad->message);
+  }
+  return tokens;
 }
 
 }  // namespace finback::isa

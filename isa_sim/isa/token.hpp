@@ -5,7 +5,9 @@
 // 0x, 0b, leading 0 is octal, 'c'). Source: GNU as manual, "Syntax" and "Blackfin Syntax".
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,8 +33,25 @@ struct Token {
   }
 };
 
-// Splits a whole text. The tokens view `text`. Throws InputError with file, line and column at a
-// character that cannot stand there, an unclosed string or comment, or a number out of 64 bits.
+// Assembler files write some words that BIR does not: references to numbered labels (`1b`, `2f`,
+// names to us), fractions (`0.5` is 0x4000), `h#1F o#17 b#11 d#9`, `4k`, and a character without
+// its second quote.
+enum class Dialect : std::uint8_t { bir, assembler };
+
+// Where a text cannot be split, and why.
+struct BadWord {
+  std::size_t offset = 0;
+  int line = 0;  // as a token's
+  int column = 0;
+  std::string message;
+};
+
+// Appends the tokens of a whole text, which view it. Returns what stops it, if anything does.
+[[nodiscard]] std::optional<BadWord> split_words(std::string_view text, Dialect dialect,
+                                                 std::vector<Token>& tokens);
+
+// Splits a whole BIR text. The tokens view `text`. Throws InputError with file, line and column at
+// a character that cannot stand there, an unclosed string or comment, or a number out of 64 bits.
 [[nodiscard]] std::vector<Token> tokenize(std::string_view text, const std::string& file = "");
 
 }  // namespace finback::isa

@@ -17,7 +17,7 @@ TEST(Manual, ShowsPatternsAsPeopleWriteThem) {
   const std::string page = instructions_as_markdown();
   EXPECT_NE(page.find("| `D = [P++]` | 2 | access | 1 | load |"), std::string::npos);
   EXPECT_NE(page.find("| `D = (D + D) << 1` |"), std::string::npos);
-  EXPECT_NE(page.find("| `D = D +\\|+ D` |"), std::string::npos);
+  EXPECT_NE(page.find("| `D = D <lanes> D <sco>` |"), std::string::npos);
 }
 
 }  // namespace

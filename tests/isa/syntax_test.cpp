@@ -173,7 +173,8 @@ TEST(Syntax, RefusesMalformedPatterns) {
   EXPECT_THAT(error_of_pattern("{D = R0"), HasSubstr("'{' without '}'"));
   EXPECT_THAT(error_of_pattern("{D!} = {=1}"), HasSubstr("repeats no operand before it"));
   EXPECT_THAT(error_of_pattern("{imm7!} = {D}"), HasSubstr("neither written"));
-  EXPECT_THAT(error_of_pattern("{D}{D}{D}{D}{D}{D}{D}"), HasSubstr("too many operands"));
+  EXPECT_THAT(error_of_pattern("{D}{D}{D}{D}{D}{D}{D}{D}{D}{D}{D}"),
+              HasSubstr("too many operands"));
   EXPECT_THAT(error_of_pattern("{D!} {?(X)} = 1"), HasSubstr("stands at the end"));
   EXPECT_THAT(error_of_pattern(""), HasSubstr("it is empty"));
 }

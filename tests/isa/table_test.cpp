@@ -95,7 +95,8 @@ TEST(OperandKinds, NamesReadBack) {
   for (int i = 0; i <= static_cast<int>(OperandKind::loop_bottom); ++i) {
     const auto kind = static_cast<OperandKind>(i);
     EXPECT_EQ(kind_by_name(kind_name(kind)), kind);
-    EXPECT_EQ(immediate_range(kind).has_value(), !is_register(kind));
+    EXPECT_EQ(immediate_range(kind).has_value(), !is_register(kind) && !is_choice(kind));
+    EXPECT_EQ(spellings(kind).empty(), !is_choice(kind));
   }
   EXPECT_FALSE(kind_by_name("imm99"));
 }
