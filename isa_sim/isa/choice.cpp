@@ -113,6 +113,12 @@ constexpr Spelling kByteHalves[] = {
 constexpr Spelling kRelations[] = {
     {"(GT)", kGreater}, {"(GE)", kGreaterEqual}, {"(LT)", kLess}, {"(LE)", kLessEqual}};
 constexpr Spelling kShiftSides[] = {{"(ASL)", kToLeft}, {"(ASR)", kToRight}};
+constexpr Spelling kStatusFlags[] = {{"AZ", 0},   {"AN", 1},      {"AC0_COPY", 2}, {"V_COPY", 3},
+                                     {"AQ", 6},   {"RND_MOD", 8}, {"AC0", 12},     {"AC1", 13},
+                                     {"AV0", 16}, {"AV0S", 17},   {"AV1", 18},     {"AV1S", 19},
+                                     {"V", 24},   {"VS", 25}};
+constexpr Spelling kFlagUpdates[] = {
+    {"=", kFlagSet}, {"|=", kFlagOr}, {"&=", kFlagAnd}, {"^=", kFlagXor}};
 
 }  // namespace
 
@@ -156,6 +162,10 @@ std::span<const Spelling> spellings(OperandKind kind) {
       return kRelations;
     case OperandKind::shift_side:
       return kShiftSides;
+    case OperandKind::status_flag:
+      return kStatusFlags;
+    case OperandKind::flag_update:
+      return kFlagUpdates;
     default:
       return {};
   }

@@ -35,5 +35,7 @@ enum ByteMode : std::int32_t { kReverse = 1, kTruncate = 2, kHigh = 4 };
 enum Relation : std::int32_t { kGreater, kGreaterEqual, kLess, kLessEqual };
 // {side}: to the left or to the right.
 enum ShiftSide : std::int32_t { kToLeft, kToRight };
+// {upd}; the value of {flag} is its bit in ASTAT.
+enum FlagUpdate : std::int32_t { kFlagSet, kFlagOr, kFlagAnd, kFlagXor };
 
 }  // namespace finback::isa

@@ -32,7 +32,8 @@ enum class OperandKind : std::uint8_t {
   pointer_low,   // {Pl}    P0.L, and I0.L, M0.L, B0.L, L0.L
   pointer_high,  // {Ph}
   any,  // {G}     any register that a move takes: D, P, I, M, B, L, loops, returns, ASTAT, A0.X ...
-  system,  // {S}     any but D and P: I, M, B, L, loops, returns, ASTAT, SEQSTAT, CYCLES, A0.X ...
+  system,   // {S}     any but D and P: I, M, B, L, loops, returns, ASTAT, SEQSTAT, CYCLES, A0.X ...
+  address,  // {IMBL}  I0..I3, M0..M3, B0..B3, L0..L3
   data_pair,     // {DD}    R1:0 or R3:2 (value: the lower register)
   data_list,     // {Dlist} R7:n (value: n)
   pointer_list,  // {Plist} P5:n (value: n)
@@ -57,6 +58,8 @@ enum class OperandKind : std::uint8_t {
   byte_half,          // {lohi}      (LO) (HI), with or without R
   relation,           // {rel}       (GT) (GE) (LT) (LE)
   shift_side,         // {side}      (ASL) (ASR)
+  status_flag,        // {flag}      AZ AN AC0_COPY V_COPY AQ RND_MOD AC0 AC1 AV0 AV0S AV1 AV1S V VS
+  flag_update,        // {upd}       =  |=  &=  ^=
   // immediates: the table in operand.cpp has bits, sign and scale of each
   imm3,
   imm4,
@@ -107,7 +110,7 @@ struct ImmediateRange {
   return kind <= OperandKind::pointer_list;
 }
 [[nodiscard]] constexpr bool is_choice(OperandKind kind) {
-  return kind >= OperandKind::accumulate && kind <= OperandKind::shift_side;
+  return kind >= OperandKind::accumulate && kind <= OperandKind::flag_update;
 }
 
 // One way to write a choice. Several spellings may stand for one value: the first is printed.

@@ -89,9 +89,11 @@ inline constexpr int kScratchRegister = kRegisterCount;
 struct ExecutionState {
   std::array<std::uint32_t, kRegisterCount + 1> reg{};
   std::array<std::int64_t, 2> accumulator{};  // 40 bits, sign-extended
-  // Status flags (ASTAT), one byte each so that setting one is one store.
+  // Status flags (ASTAT), one byte each so that setting one is one store. AC0 and V have copies in
+  // ASTAT, which differ from them only where a program wrote them so: bit 1 of `ac0` and `v`.
   std::uint8_t cc = 0, az = 0, an = 0, ac0 = 0, ac1 = 0, v = 0, vs = 0, aq = 0;
   std::uint8_t av0 = 0, av0s = 0, av1 = 0, av1s = 0, rnd_mod = 0;
+  std::uint32_t astat_reserved = 0;  // bits without a meaning: they keep what is written
 
   Address next_address =
       0;  // where control goes after the block; preset to the fall-through address
@@ -104,6 +106,8 @@ struct ExecutionState {
 
   [[nodiscard]] std::uint32_t astat() const;
   void set_astat(std::uint32_t value);
+  // One bit of ASTAT.
+  [[nodiscard]] bool flag(int bit) const;
 };
 
 // Addresses from here up are device registers: system MMRs, then core MMRs (hardware.md 2.1).

@@ -219,6 +219,8 @@ std::string describe(OperandKind kind) {
       return "an index register I0..I3";
     case OperandKind::modify:
       return "a modify register M0..M3";
+    case OperandKind::address:
+      return "an address register I0..I3, M0..M3, B0..B3, L0..L3";
     case OperandKind::pointer_low:
       return "a low half P0.L..L3.L of an address register";
     case OperandKind::pointer_high:

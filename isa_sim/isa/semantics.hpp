@@ -113,21 +113,37 @@ inline void write_any(ExecutionState& s, const Operation& o, std::int32_t number
   }
 }
 
-// Adds to an index register, wrapping inside its circular buffer when its length register is not
-// zero.
+// Adds to an index register, wrapping inside its circular buffer. The comparisons look at one carry
+// or one sign only, as the address generator does: sums beyond 2^32 compare as it has them.
+[[nodiscard]] inline std::uint32_t wrapped(std::uint32_t index, std::int32_t step,
+                                           std::uint32_t base, std::uint32_t length) {
+  const std::uint64_t sum = std::uint64_t{index} + static_cast<std::uint32_t>(step);
+  const auto next = static_cast<std::uint32_t>(sum);
+  if (step < 0) {
+    const bool plain = (index >> 31) != 0 || (sum >> 32) != 0;
+    return (next < base) == plain ? next + length : next;
+  }
+  const std::uint64_t end = std::uint64_t{base} + length;
+  const bool same = (sum >> 32) == (end >> 32);
+  return (next < static_cast<std::uint32_t>(end)) == same ? next : next - length;
+}
 inline void advance_index(ExecutionState& s, std::int32_t index, std::int32_t step) {
   const auto number = static_cast<std::size_t>(index - I0);
   const std::uint32_t length = s.reg[L0 + number];
-  std::uint32_t next = reg(s, index) + static_cast<std::uint32_t>(step);
-  if (length != 0) {
-    const std::uint32_t base = s.reg[B0 + number];
-    if (step >= 0 && next >= base + length) {
-      next -= length;
-    } else if (step < 0 && next < base) {
-      next += length;
+  std::uint32_t& value = reg(s, index);
+  value = length == 0 ? value + static_cast<std::uint32_t>(step)
+                      : wrapped(value, step, s.reg[B0 + number], length);
+}
+// Addition with the carry running to the right, for the order of an FFT's results.
+[[nodiscard]] inline std::uint32_t add_reversed(std::uint32_t a, std::uint32_t b) {
+  const auto reverse = [](std::uint32_t word) {
+    std::uint32_t result = 0;
+    for (int bit = 0; bit < 32; ++bit) {
+      result = result << 1 | (word >> bit & 1);
     }
-  }
-  reg(s, index) = next;
+    return result;
+  };
+  return reverse(reverse(a) + reverse(b));
 }
 
 // ---- flags
@@ -326,11 +342,11 @@ inline void advance_base(ExecutionState& s, const Operation& o, int base) {
 
 enum class Into : std::uint8_t { whole, low, high };
 
-// {dest} = T[base ...]: a narrow T is extended by its own sign.
-template <class T, Walk walk, Into into = Into::whole>
+// {dest} = T[base ...]: a narrow T is extended by its own sign. `mask`: of the address.
+template <class T, Walk walk, Into into = Into::whole, Address mask = ~Address{0}>
 const Operation* load(ExecutionState& s, const Operation* o) {
   T value{};
-  if (!read_memory(s, *o, effective_address<walk>(s, *o, 1), value)) {
+  if (!read_memory(s, *o, effective_address<walk>(s, *o, 1) & mask, value)) {
     return nullptr;
   }
   advance_base<walk, sizeof(T)>(s, *o, 1);

@@ -73,6 +73,8 @@ bool takes_register(OperandKind kind, int reg) {
       return reg >= I0 && reg <= I3;
     case OperandKind::modify:
       return reg >= M0 && reg <= M3;
+    case OperandKind::address:
+      return reg >= I0 && reg <= L3;
     case OperandKind::any:
       return reg <= ASTAT;
     case OperandKind::system:

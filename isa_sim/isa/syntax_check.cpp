@@ -39,6 +39,8 @@ std::vector<OperandValue> sample_registers(OperandKind kind) {
       return numbers({I0, I1, I2, I3});
     case OperandKind::modify:
       return numbers({M0, M1, M2, M3});
+    case OperandKind::address:
+      return numbers({I0, M3, B1, L2});
     case OperandKind::pointer_low:
       return numbers({P0, FP, I1, L3});
     case OperandKind::pointer_high:

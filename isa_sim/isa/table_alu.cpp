@@ -221,12 +221,13 @@ constexpr auto kSignedSum = [](ExecutionState& s, const Operation& o) {
   reg(s, register_of(o[0])) = u32{sum} << 16 | sum;
 };
 std::string_view check_signed_sum(const OperandNumbers& operand) {
-  const auto same = [&](std::size_t one, std::size_t other) {
-    return register_of(operand[one]) == register_of(operand[other]);
+  const auto both_halves = [&](std::size_t one, std::size_t other) {
+    return (operand[one] ^ operand[other]) == kHighHalf;
   };
-  return same(0, 1) && same(2, 4) && same(3, 5)
+  return both_halves(0, 1) && both_halves(2, 4) && both_halves(3, 5) &&
+                 is_high_half(operand[2]) == is_high_half(operand[3])
              ? ""
-             : "both halves come from and go to the same registers";
+             : "it works on both halves of three registers";
 }
 
 // The accumulators keep the best half so far of each lane, the results where it was met (P0).
@@ -291,7 +292,7 @@ constexpr Instruction kTable[] = {
              "bits 20 to 31 of the sum, rounded"),
     dsp_form("{Dx!} = {D} - {D} (RND20)", plain<kRound20<true>>,
              "bits 20 to 31 of the difference, rounded"),
-    checked(dsp_form("{Dh!} = {Dl!} = SIGN({Dh}) * {Dh} + SIGN({Dl}) * {Dl}", plain<kSignedSum>,
+    checked(dsp_form("{Dx!} = {Dx!} = SIGN({Dx}) * {Dx} + SIGN({Dx}) * {Dx}", plain<kSignedSum>,
                      "each half with the sign of the other register's, added"),
             check_signed_sum),
 

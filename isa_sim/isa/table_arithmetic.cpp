@@ -49,6 +49,15 @@ constexpr auto kRightArithmetic = [](u32 a, u32 amount) {
   return static_cast<u32>(static_cast<std::int32_t>(a) >> (amount > 31 ? 31 : amount));
 };
 
+template <int shift>
+constexpr auto kAddAndShift = [](ExecutionState& s, const Operation& o) {
+  const std::int64_t exact = (std::int64_t{signed_reg(s, o[0])} + signed_reg(s, o[1])) << shift;
+  const auto result = static_cast<u32>(exact);
+  reg(s, o[0]) = result;
+  set_az_an(s, result);
+  set_overflow(s, exact != static_cast<std::int32_t>(result));
+};
+
 // Pd = Pa + (Pb << shift)
 template <int shift>
 constexpr auto kPointerAdd = [](ExecutionState& s, const Operation& o) {
@@ -108,14 +117,8 @@ constexpr Instruction kTable[] = {
      .energy = Energy::mac,
      .execute = plain<[](ExecutionState& s, const Operation& o) { reg(s, o[0]) *= reg(s, o[1]); }>,
      .meaning = "32-bit multiply, low word"},
-    form("{D+} = ({=0} + {D}) << 1", plain<[](ExecutionState& s, const Operation& o) {
-           reg(s, o[0]) = (reg(s, o[0]) + reg(s, o[1])) << 1;
-           set_az_an(s, reg(s, o[0]));
-         }>),
-    form("{D+} = ({=0} + {D}) << 2", plain<[](ExecutionState& s, const Operation& o) {
-           reg(s, o[0]) = (reg(s, o[0]) + reg(s, o[1])) << 2;
-           set_az_an(s, reg(s, o[0]));
-         }>),
+    form("{D+} = ({=0} + {D}) << 1", plain<kAddAndShift<1>>),
+    form("{D+} = ({=0} + {D}) << 2", plain<kAddAndShift<2>>),
     form("{D+} <<= {uimm5}", plain<kUpdate<kLeft, true>>),
     form("{D+} >>= {uimm5}", plain<kUpdate<kRight, true>>),
     form("{D+} >>>= {uimm5}", plain<kUpdate<kRightArithmetic, true>>),
@@ -154,6 +157,9 @@ constexpr Instruction kTable[] = {
     pointer_form(
         "{P@+} -= {P@}",
         plain<[](ExecutionState& s, const Operation& o) { reg(s, o[0]) -= reg(s, o[1]); }>),
+    pointer_form("{P@+} += {P@} (BREV)", plain<[](ExecutionState& s, const Operation& o) {
+                   reg(s, o[0]) = add_reversed(reg(s, o[0]), reg(s, o[1]));
+                 }>),
 
     // index registers; a 16-bit form that may stand in slot 1
     {.syntax = "{I@+} += {M@}",
@@ -163,6 +169,14 @@ constexpr Instruction kTable[] = {
      .execute = plain<[](ExecutionState& s, const Operation& o) {
        advance_index(s, o[0], signed_reg(s, o[1]));
      }>},
+    {.syntax = "{I@+} += {M@} (BREV)",
+     .length = 2,
+     .slot = Slot::access,
+     .result = Result::pointer,
+     .execute = plain<[](ExecutionState& s, const Operation& o) {
+       reg(s, o[0]) = add_reversed(reg(s, o[0]), reg(s, o[1]));
+     }>,
+     .meaning = "the carry runs to the right; no circular buffer"},
     {.syntax = "{I@+} -= {M@}",
      .length = 2,
      .slot = Slot::access,

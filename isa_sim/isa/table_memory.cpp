@@ -160,6 +160,13 @@ const Operation* test_and_set(ExecutionState& s, const Operation* o) {
   return o + 1;
 }
 
+template <Walk walk>
+constexpr Instruction index_load_form(std::string_view syntax) {
+  Instruction form = load_form(syntax, 2, Slot::index_access, load<u32, walk>);
+  form.execute_aligned = load<u32, walk, Into::whole, ~Address{3}>;
+  return form;
+}
+
 constexpr Slot kP = Slot::access;
 constexpr Slot kI = Slot::index_access;
 constexpr Slot kAlone = Slot::alone;
@@ -174,10 +181,10 @@ constexpr Instruction kTable[] = {
     frame_form(load_form("{P!} = [FP + {off5n4}]", 2, kP, load_from_frame)),
     load_form("{D!} = [{P@} + {off16x4}]", 4, kAlone, load<u32, Walk::offset>),
     load_form("{D!} = [{P@+}++{P@}]", 2, kP, load<u32, Walk::by_register>),
-    load_form("{D!} = [{I@}]", 2, kI, load<u32, Walk::none>),
-    load_form("{D!} = [{I@+}++]", 2, kI, load<u32, Walk::up>),
-    load_form("{D!} = [{I@+}--]", 2, kI, load<u32, Walk::down>),
-    load_form("{D!} = [{I@+}++{M@}]", 2, kI, load<u32, Walk::by_register>),
+    index_load_form<Walk::none>("{D!} = [{I@}]"),
+    index_load_form<Walk::up>("{D!} = [{I@+}++]"),
+    index_load_form<Walk::down>("{D!} = [{I@+}--]"),
+    index_load_form<Walk::by_register>("{D!} = [{I@+}++{M@}]"),
     // 32 bits into a pointer register
     load_form("{P!} = [{P@}]", 2, kP, load<u32, Walk::none>),
     load_form("{P!} = [{P@+}++]", 2, kP, load<u32, Walk::up>),
@@ -185,17 +192,17 @@ constexpr Instruction kTable[] = {
     load_form("{P!} = [{P@} + {off4x4}]", 2, kP, load<u32, Walk::offset>),
     load_form("{P!} = [{P@} + {off16x4}]", 4, kAlone, load<u32, Walk::offset>),
     // 16 bits, zero- or sign-extended
-    load_form("{D!} = W[{P@}] (Z)", 2, kP, load<u16, Walk::none>),
+    load_form("{D!} = W[{P@}] {?(Z)}", 2, kP, load<u16, Walk::none>),
     load_form("{D!} = W[{P@}] (X)", 2, kP, load<s16, Walk::none>),
-    load_form("{D!} = W[{P@+}++] (Z)", 2, kP, load<u16, Walk::up>),
+    load_form("{D!} = W[{P@+}++] {?(Z)}", 2, kP, load<u16, Walk::up>),
     load_form("{D!} = W[{P@+}++] (X)", 2, kP, load<s16, Walk::up>),
-    load_form("{D!} = W[{P@+}--] (Z)", 2, kP, load<u16, Walk::down>),
+    load_form("{D!} = W[{P@+}--] {?(Z)}", 2, kP, load<u16, Walk::down>),
     load_form("{D!} = W[{P@+}--] (X)", 2, kP, load<s16, Walk::down>),
-    load_form("{D!} = W[{P@} + {off4x2}] (Z)", 2, kP, load<u16, Walk::offset>),
+    load_form("{D!} = W[{P@} + {off4x2}] {?(Z)}", 2, kP, load<u16, Walk::offset>),
     load_form("{D!} = W[{P@} + {off4x2}] (X)", 2, kP, load<s16, Walk::offset>),
-    load_form("{D!} = W[{P@} + {off16x2}] (Z)", 4, kAlone, load<u16, Walk::offset>),
+    load_form("{D!} = W[{P@} + {off16x2}] {?(Z)}", 4, kAlone, load<u16, Walk::offset>),
     load_form("{D!} = W[{P@} + {off16x2}] (X)", 4, kAlone, load<s16, Walk::offset>),
-    load_form("{D!} = W[{P@+}++{P@}] (Z)", 2, kP, load<u16, Walk::by_register>),
+    load_form("{D!} = W[{P@+}++{P@}] {?(Z)}", 2, kP, load<u16, Walk::by_register>),
     load_form("{D!} = W[{P@+}++{P@}] (X)", 2, kP, load<s16, Walk::by_register>),
     // 16 bits into one half; the other half stays
     load_form("{Dl!} = W[{P@}]", 2, kP, load<u16, Walk::none, Into::low>),
@@ -209,13 +216,13 @@ constexpr Instruction kTable[] = {
     load_form("{Dl!} = W[{I@+}--]", 2, kI, load<u16, Walk::down, Into::low>),
     load_form("{Dh!} = W[{I@+}--]", 2, kI, load<u16, Walk::down, Into::high>),
     // 8 bits
-    load_form("{D!} = B[{P@}] (Z)", 2, kP, load<u8, Walk::none>),
+    load_form("{D!} = B[{P@}] {?(Z)}", 2, kP, load<u8, Walk::none>),
     load_form("{D!} = B[{P@}] (X)", 2, kP, load<s8, Walk::none>),
-    load_form("{D!} = B[{P@+}++] (Z)", 2, kP, load<u8, Walk::up>),
+    load_form("{D!} = B[{P@+}++] {?(Z)}", 2, kP, load<u8, Walk::up>),
     load_form("{D!} = B[{P@+}++] (X)", 2, kP, load<s8, Walk::up>),
-    load_form("{D!} = B[{P@+}--] (Z)", 2, kP, load<u8, Walk::down>),
+    load_form("{D!} = B[{P@+}--] {?(Z)}", 2, kP, load<u8, Walk::down>),
     load_form("{D!} = B[{P@+}--] (X)", 2, kP, load<s8, Walk::down>),
-    load_form("{D!} = B[{P@} + {off16}] (Z)", 4, kAlone, load<u8, Walk::offset>),
+    load_form("{D!} = B[{P@} + {off16}] {?(Z)}", 4, kAlone, load<u8, Walk::offset>),
     load_form("{D!} = B[{P@} + {off16}] (X)", 4, kAlone, load<s8, Walk::offset>),
 
     // stores, 32 bits

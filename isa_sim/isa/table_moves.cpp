@@ -1,5 +1,6 @@
 // Moves: registers, immediates, halves and bytes, conditional moves, CC (Programming Reference
 // chapters 9 and 11).
+#include <isa_sim/isa/choice.hpp>
 #include <isa_sim/isa/semantics.hpp>
 #include <isa_sim/isa/table.hpp>
 
@@ -47,20 +48,53 @@ constexpr auto kConditional = [](ExecutionState& s, const Operation& o) {
   }
 };
 
-enum class Relation : std::uint8_t { equal, less, less_equal };
+// Which registers a move joins: one is a data or pointer register, or both are of the address
+// generators; parts of accumulators go anywhere but to each other's kind.
+constexpr bool is_part(std::int32_t number) { return number >= A0X && number <= A1W; }
+std::string_view check_move(const OperandNumbers& operand) {
+  const std::int32_t to = operand[0];
+  const std::int32_t from = operand[1];
+  const bool free = to <= FP || from <= FP || is_part(from) || from == USP;
+  return free || (from <= L3 && (to <= L3 || is_part(to)))
+             ? ""
+             : "no move joins these two: go by way of a data register";
+}
 
-// CC = a REL b; T is the signed or unsigned 32-bit type. Data registers also set AZ, AN and AC0 by
-// a - b.
-template <class T, Relation relation, bool immediate, bool flags>
+bool update_flag(std::int32_t how, bool old, bool with) {
+  switch (how) {
+    case kFlagOr:
+      return old || with;
+    case kFlagAnd:
+      return old && with;
+    case kFlagXor:
+      return old != with;
+    default:
+      return with;
+  }
+}
+constexpr auto kCcFromFlag = [](ExecutionState& s, const Operation& o) {
+  s.cc = update_flag(o[0], s.cc != 0, s.flag(o[1]));
+};
+constexpr auto kFlagFromCc = [](ExecutionState& s, const Operation& o) {
+  const std::uint32_t bit = std::uint32_t{1} << o[0];
+  const bool flag = update_flag(o[1], s.flag(o[0]), s.cc != 0);
+  s.set_astat((s.astat() & ~bit) | (flag ? bit : 0));
+};
+
+enum class Order : std::uint8_t { equal, less, less_equal };
+
+// CC = a REL b; T is the signed or unsigned 32-bit type. Of data registers AZ, AN and AC0 tell
+// whether a equals b, is less, is no less as unsigned.
+template <class T, Order order, bool immediate, bool flags>
 constexpr auto kCompare = [](ExecutionState& s, const Operation& o) {
   const std::uint32_t left = reg(s, o[0]);
   const std::uint32_t right = immediate ? static_cast<std::uint32_t>(o[1]) : reg(s, o[1]);
   const T a = static_cast<T>(left);
   const T b = static_cast<T>(right);
-  s.cc = relation == Relation::equal ? a == b : relation == Relation::less ? a < b : a <= b;
+  s.cc = order == Order::equal ? a == b : order == Order::less ? a < b : a <= b;
   if (flags) {
     s.az = left == right;
-    s.an = static_cast<std::int32_t>(left) < static_cast<std::int32_t>(right);
+    s.an = a < b;
     s.ac0 = left >= right;
   }
 };
@@ -82,6 +116,7 @@ constexpr Instruction kTable[] = {
      .length = 2,
      .result = Result::move,
      .execute = plain<kCopyAny>,
+     .check = check_move,
      .meaning = "move between any registers; LC, LT and LB refill the pipeline"},
     // immediates, short first
     form("{D!} = {imm7} {?(X)}", 2, Result::alu, plain<kImmediate>),
@@ -90,14 +125,16 @@ constexpr Instruction kTable[] = {
     form("{P!} = {imm16} {?(X)}", 4, Result::pointer, plain<kImmediate>),
     form("{D!} = {uimm16} (Z)", 4, Result::alu, plain<kImmediate>),
     form("{P!} = {uimm16} (Z)", 4, Result::pointer, plain<kImmediate>),
+    form("{IMBL!} = {imm16} {?(X)}", 4, Result::pointer, plain<kImmediate>),
+    form("{IMBL!} = {uimm16} (Z)", 4, Result::pointer, plain<kImmediate>),
     form("{Dl!} = {any16}", 4, Result::alu, plain<kLowHalf>),
     form("{Dh!} = {any16}", 4, Result::alu, plain<kHighHalfOf>),
     form("{Pl!} = {any16}", 4, Result::pointer, plain<kLowHalf>),
     form("{Ph!} = {any16}", 4, Result::pointer, plain<kHighHalfOf>),
     // parts of data registers
-    form("{D!} = {Dl} (Z)", 2, Result::alu, plain<kExtend<std::uint16_t>>),
+    form("{D!} = {Dl} {?(Z)}", 2, Result::alu, plain<kExtend<std::uint16_t>>),
     form("{D!} = {Dl} (X)", 2, Result::alu, plain<kExtend<std::int16_t>>),
-    form("{D!} = {Db} (Z)", 2, Result::alu, plain<kExtend<std::uint8_t>>),
+    form("{D!} = {Db} {?(Z)}", 2, Result::alu, plain<kExtend<std::uint8_t>>),
     form("{D!} = {Db} (X)", 2, Result::alu, plain<kExtend<std::int8_t>>),
     // conditional moves: the destination keeps its value otherwise, so it is read too
     reads_cc("IF CC {D+} = {D}", Result::alu, plain<kConditional<true>>),
@@ -110,26 +147,26 @@ constexpr Instruction kTable[] = {
     reads_cc("IF !CC {P+} = {P}", Result::move, plain<kConditional<false>>),
 
     // comparisons
-    writes_cc("CC = {D} == {D}", plain<kCompare<S, Relation::equal, false, true>>),
-    writes_cc("CC = {D} == {imm3}", plain<kCompare<S, Relation::equal, true, true>>),
-    writes_cc("CC = {D} < {D}", plain<kCompare<S, Relation::less, false, true>>),
-    writes_cc("CC = {D} < {imm3}", plain<kCompare<S, Relation::less, true, true>>),
-    writes_cc("CC = {D} <= {D}", plain<kCompare<S, Relation::less_equal, false, true>>),
-    writes_cc("CC = {D} <= {imm3}", plain<kCompare<S, Relation::less_equal, true, true>>),
-    writes_cc("CC = {D} < {D} (IU)", plain<kCompare<U, Relation::less, false, true>>),
-    writes_cc("CC = {D} < {uimm3} (IU)", plain<kCompare<U, Relation::less, true, true>>),
-    writes_cc("CC = {D} <= {D} (IU)", plain<kCompare<U, Relation::less_equal, false, true>>),
-    writes_cc("CC = {D} <= {uimm3} (IU)", plain<kCompare<U, Relation::less_equal, true, true>>),
-    writes_cc("CC = {P} == {P}", plain<kCompare<S, Relation::equal, false, false>>),
-    writes_cc("CC = {P} == {imm3}", plain<kCompare<S, Relation::equal, true, false>>),
-    writes_cc("CC = {P} < {P}", plain<kCompare<S, Relation::less, false, false>>),
-    writes_cc("CC = {P} < {imm3}", plain<kCompare<S, Relation::less, true, false>>),
-    writes_cc("CC = {P} <= {P}", plain<kCompare<S, Relation::less_equal, false, false>>),
-    writes_cc("CC = {P} <= {imm3}", plain<kCompare<S, Relation::less_equal, true, false>>),
-    writes_cc("CC = {P} < {P} (IU)", plain<kCompare<U, Relation::less, false, false>>),
-    writes_cc("CC = {P} < {uimm3} (IU)", plain<kCompare<U, Relation::less, true, false>>),
-    writes_cc("CC = {P} <= {P} (IU)", plain<kCompare<U, Relation::less_equal, false, false>>),
-    writes_cc("CC = {P} <= {uimm3} (IU)", plain<kCompare<U, Relation::less_equal, true, false>>),
+    writes_cc("CC = {D} == {D}", plain<kCompare<S, Order::equal, false, true>>),
+    writes_cc("CC = {D} == {imm3}", plain<kCompare<S, Order::equal, true, true>>),
+    writes_cc("CC = {D} < {D}", plain<kCompare<S, Order::less, false, true>>),
+    writes_cc("CC = {D} < {imm3}", plain<kCompare<S, Order::less, true, true>>),
+    writes_cc("CC = {D} <= {D}", plain<kCompare<S, Order::less_equal, false, true>>),
+    writes_cc("CC = {D} <= {imm3}", plain<kCompare<S, Order::less_equal, true, true>>),
+    writes_cc("CC = {D} < {D} (IU)", plain<kCompare<U, Order::less, false, true>>),
+    writes_cc("CC = {D} < {uimm3} (IU)", plain<kCompare<U, Order::less, true, true>>),
+    writes_cc("CC = {D} <= {D} (IU)", plain<kCompare<U, Order::less_equal, false, true>>),
+    writes_cc("CC = {D} <= {uimm3} (IU)", plain<kCompare<U, Order::less_equal, true, true>>),
+    writes_cc("CC = {P} == {P}", plain<kCompare<S, Order::equal, false, false>>),
+    writes_cc("CC = {P} == {imm3}", plain<kCompare<S, Order::equal, true, false>>),
+    writes_cc("CC = {P} < {P}", plain<kCompare<S, Order::less, false, false>>),
+    writes_cc("CC = {P} < {imm3}", plain<kCompare<S, Order::less, true, false>>),
+    writes_cc("CC = {P} <= {P}", plain<kCompare<S, Order::less_equal, false, false>>),
+    writes_cc("CC = {P} <= {imm3}", plain<kCompare<S, Order::less_equal, true, false>>),
+    writes_cc("CC = {P} < {P} (IU)", plain<kCompare<U, Order::less, false, false>>),
+    writes_cc("CC = {P} < {uimm3} (IU)", plain<kCompare<U, Order::less, true, false>>),
+    writes_cc("CC = {P} <= {P} (IU)", plain<kCompare<U, Order::less_equal, false, false>>),
+    writes_cc("CC = {P} <= {uimm3} (IU)", plain<kCompare<U, Order::less_equal, true, false>>),
 
     // CC and the other flags
     reads_cc("{D!} = CC", Result::alu,
@@ -137,12 +174,11 @@ constexpr Instruction kTable[] = {
     writes_cc("CC = {D}",
               plain<[](ExecutionState& s, const Operation& o) { s.cc = reg(s, o[0]) != 0; }>),
     writes_cc("CC = !CC", plain<[](ExecutionState& s, const Operation&) { s.cc ^= 1; }>),
-    writes_cc("CC = AZ", plain<[](ExecutionState& s, const Operation&) { s.cc = s.az; }>),
-    writes_cc("CC = AN", plain<[](ExecutionState& s, const Operation&) { s.cc = s.an; }>),
-    writes_cc("CC = AC0", plain<[](ExecutionState& s, const Operation&) { s.cc = s.ac0; }>),
-    writes_cc("CC = V", plain<[](ExecutionState& s, const Operation&) { s.cc = s.v; }>),
-    writes_cc("CC = VS", plain<[](ExecutionState& s, const Operation&) { s.cc = s.vs; }>),
-    writes_cc("CC = AQ", plain<[](ExecutionState& s, const Operation&) { s.cc = s.aq; }>),
+    {.syntax = "CC {upd} {flag}",
+     .length = 2,
+     .implicit = kReadsCc | kWritesCc,
+     .execute = plain<kCcFromFlag>},
+    {.syntax = "{flag} {upd} CC", .length = 2, .implicit = kReadsCc, .execute = plain<kFlagFromCc>},
     writes_cc("CC = BITTST({D}, {uimm5})", plain<kTestBit<1>>),
     writes_cc("CC = !BITTST({D}, {uimm5})", plain<kTestBit<0>>),
 };

@@ -1,6 +1,7 @@
 // The shifter: shifts, rotations, bit fields, exponents, parity (Programming Reference chapters 13
 // and 14). Flags of the saturating, half-register and vector forms as the GNU simulator has them,
 // which was held against the chip.
+#include <isa_sim/isa/choice.hpp>
 #include <isa_sim/isa/dsp_form.hpp>
 #include <isa_sim/isa/semantics.hpp>
 #include <isa_sim/isa/table.hpp>
@@ -13,43 +14,6 @@ using u16 = std::uint16_t;
 using u32 = std::uint32_t;
 using std::int32_t;
 using std::int64_t;
-
-// Rd = Ra shifted by an immediate; amounts count to the left when positive.
-enum class Shift : std::uint8_t { left, right, right_arithmetic };
-template <Shift kind>
-constexpr auto kShiftImmediate = [](ExecutionState& s, const Operation& o) {
-  const u32 value = reg(s, o[1]);
-  const u32 result = kind == Shift::left    ? value << o[2]
-                     : kind == Shift::right ? value >> o[2]
-                                            : static_cast<u32>(static_cast<int32_t>(value) >> o[2]);
-  reg(s, o[0]) = result;
-  set_az_an(s, result);
-  s.v = 0;
-};
-template <Shift kind>
-constexpr auto kShiftLanes = [](ExecutionState& s, const Operation& o) {
-  const int amount = o[2];
-  const auto lane = [amount](u16 value) -> u16 {
-    return static_cast<u16>(kind == Shift::left    ? value << amount
-                            : kind == Shift::right ? value >> amount
-                                                   : static_cast<std::int16_t>(value) >> amount);
-  };
-  const u32 value = reg(s, o[1]);
-  const u32 result = u32{lane(static_cast<u16>(value >> 16))} << 16 | lane(static_cast<u16>(value));
-  reg(s, o[0]) = result;
-  s.az = (result & 0xffff) == 0 || result >> 16 == 0;
-  s.an = (result & 0x80008000) != 0;
-  s.v = 0;
-};
-template <bool arithmetic>
-constexpr auto kShiftRegister = [](ExecutionState& s, const Operation& o) {
-  const int32_t amount = shift_amount(reg(s, register_of(o[2])));
-  const u32 value = reg(s, o[1]);
-  const u32 result = arithmetic ? arithmetic_shift(value, amount) : logical_shift(value, amount);
-  reg(s, o[0]) = result;
-  set_az_an(s, result);
-  s.v = 0;
-};
 
 // The field descriptor of EXTRACT and DEPOSIT: length in bits 0-4, position in bits 8-12.
 template <bool sign_extend>
@@ -79,21 +43,27 @@ void set_shift_flags(ExecutionState& s, u32 result, int bits) {
 
 u32 mask_of(int bits) { return bits == 32 ? ~u32{0} : (u32{1} << bits) - 1; }
 
-// V tells that significant bits were lost: anything but zeros, or ones above a negative result.
-// With `saturate` a change of sign counts as well, and the result is the nearest that fits.
-u32 shift_left(ExecutionState& s, u32 value, int count, int bits, bool saturate) {
+// What a shift to the left does about bits that it loses: anything but zeros, or ones above a
+// negative result.
+enum class Lost : std::uint8_t {
+  ignored,   // V is cleared
+  flagged,   // V tells
+  or_sign,   // V tells, and of a change of sign as well
+  saturate,  // the same, and the result is the nearest that fits
+};
+u32 shift_left(ExecutionState& s, u32 value, int count, int bits, Lost lost_bits) {
   const std::uint64_t wide = std::uint64_t{value} << count;
   u32 result = static_cast<u32>(wide) & mask_of(bits);
   const std::uint64_t lost = wide >> bits;
   const bool was_negative = (value >> (bits - 1) & 1) != 0;
   const bool is_negative = (result >> (bits - 1) & 1) != 0;
   bool overflow = lost != 0 && !(lost == (std::uint64_t{1} << count) - 1 && is_negative);
-  if (saturate && (overflow || was_negative != is_negative)) {
+  overflow |= lost_bits >= Lost::or_sign && was_negative != is_negative;
+  if (lost_bits == Lost::saturate && overflow) {
     result = was_negative ? u32{1} << (bits - 1) : mask_of(bits - 1);
-    overflow = true;
   }
   set_shift_flags(s, result, bits);
-  set_overflow(s, overflow);
+  set_overflow(s, overflow && lost_bits != Lost::ignored);
   return result;
 }
 
@@ -109,18 +79,18 @@ u32 shift_right(ExecutionState& s, u32 value, int count, int bits, bool arithmet
 }
 
 // Left when the amount is positive.
-u32 shift_by(ExecutionState& s, u32 value, int amount, int bits, bool arithmetic, bool saturate) {
-  return amount > 0 ? shift_left(s, value, amount, bits, saturate)
+u32 shift_by(ExecutionState& s, u32 value, int amount, int bits, bool arithmetic, Lost lost) {
+  return amount > 0 ? shift_left(s, value, amount, bits, lost)
                     : shift_right(s, value, -amount, bits, arithmetic);
 }
 
 // Both halves by the same amount; a flag is set when either half sets it.
-u32 shift_halves(ExecutionState& s, u32 value, int amount, bool arithmetic, bool saturate) {
-  const u32 low = shift_by(s, value & 0xffff, amount, 16, arithmetic, saturate);
+u32 shift_halves(ExecutionState& s, u32 value, int amount, bool arithmetic, Lost lost) {
+  const u32 low = shift_by(s, value & 0xffff, amount, 16, arithmetic, lost);
   const std::uint8_t az = s.az;
   const std::uint8_t an = s.an;
   const std::uint8_t v = s.v;
-  const u32 high = shift_by(s, value >> 16, amount, 16, arithmetic, saturate);
+  const u32 high = shift_by(s, value >> 16, amount, 16, arithmetic, lost);
   s.az |= az;
   s.an |= an;
   s.v |= v;
@@ -136,19 +106,30 @@ int amount_of(ExecutionState& s, const Operation& o) {
                                   : shift_amount(reg(s, register_of(o[2])));
 }
 
-template <Amount where, bool arithmetic, bool saturate>
+template <Amount where, bool arithmetic, Lost lost>
 constexpr auto kShiftHalf = [](ExecutionState& s, const Operation& o) {
-  set_half(s, o[0],
-           static_cast<u16>(
-               shift_by(s, half(s, o[1]), amount_of<where>(s, o), 16, arithmetic, saturate)));
+  set_half(
+      s, o[0],
+      static_cast<u16>(shift_by(s, half(s, o[1]), amount_of<where>(s, o), 16, arithmetic, lost)));
 };
-template <Amount where, bool arithmetic, bool saturate>
+template <Amount where, bool arithmetic, Lost lost>
 constexpr auto kShiftWord = [](ExecutionState& s, const Operation& o) {
-  reg(s, o[0]) = shift_by(s, reg(s, o[1]), amount_of<where>(s, o), 32, arithmetic, saturate);
+  reg(s, o[0]) = shift_by(s, reg(s, o[1]), amount_of<where>(s, o), 32, arithmetic, lost);
 };
-template <Amount where, bool arithmetic, bool saturate>
+template <Amount where, bool arithmetic, Lost lost>
 constexpr auto kShiftHalves = [](ExecutionState& s, const Operation& o) {
-  reg(s, o[0]) = shift_halves(s, reg(s, o[1]), amount_of<where>(s, o), arithmetic, saturate);
+  reg(s, o[0]) = shift_halves(s, reg(s, o[1]), amount_of<where>(s, o), arithmetic, lost);
+};
+
+// To the right by an immediate nothing is lost.
+template <bool arithmetic>
+constexpr auto kShiftRight = [](ExecutionState& s, const Operation& o) {
+  const u32 value = reg(s, o[1]);
+  const u32 result =
+      arithmetic ? static_cast<u32>(static_cast<int32_t>(value) >> o[2]) : value >> o[2];
+  reg(s, o[0]) = result;
+  set_az_an(s, result);
+  s.v = 0;
 };
 
 // ---- rotation through CC
@@ -287,6 +268,30 @@ constexpr auto kExponentOfHalves = [](ExecutionState& s, const Operation& o) {
            smaller_exponent(static_cast<u16>(sign_bits(value >> 16, 16)), low));
 };
 
+// Add-compare-select: the larger of two halves, modulo 2^16, and a bit of A0 that tells which.
+bool takes_high(u32 pair) { return (((pair >> 16) - pair) & 0x8000) == 0; }
+u32 larger_half(u32 pair) { return takes_high(pair) ? pair >> 16 : pair & 0xffff; }
+constexpr auto kViterbi = [](ExecutionState& s, const Operation& o) {
+  const u32 pair = reg(s, o[1]);
+  const std::uint64_t choice = takes_high(pair) ? 1 : 0;
+  const std::uint64_t a = bits40(s.accumulator[0]);
+  s.accumulator[0] = accumulator_of(
+      o[2] == kToLeft ? a << 1 | choice : (a >> 1 & ~(std::uint64_t{1} << 31)) | choice << 31);
+  set_half(s, o[0], static_cast<u16>(larger_half(pair)));
+};
+constexpr auto kViterbiPair = [](ExecutionState& s, const Operation& o) {
+  const u32 first = reg(s, o[1]);
+  const u32 second = reg(s, o[2]);
+  const u32 one = takes_high(first) ? 1 : 0;
+  const u32 two = takes_high(second) ? 1 : 0;
+  const int64_t a = s.accumulator[0];
+  s.accumulator[0] =
+      o[3] == kToLeft
+          ? accumulator_of(bits40(a) << 2 | (two << 1 | one))
+          : accumulator_of(static_cast<std::uint64_t>(a >> 2) | (one << 31 | two << 30));
+  reg(s, o[0]) = larger_half(first) << 16 | larger_half(second);
+};
+
 constexpr const char* kLeft = "left when the amount is positive";
 constexpr const char* kRing = "through CC, left when the amount is positive";
 
@@ -295,20 +300,48 @@ constexpr Instruction rotate_form(Instruction form, std::uint32_t accumulator = 
 }
 
 constexpr Instruction kTable[] = {
-    // shifts
-    dsp_form("{D!} = {D} << {uimm5}", plain<kShiftImmediate<Shift::left>>),
-    dsp_form("{D!} = {D} >> {uimm5}", plain<kShiftImmediate<Shift::right>>),
-    dsp_form("{D!} = {D} >>> {uimm5}", plain<kShiftImmediate<Shift::right_arithmetic>>),
-    dsp_form("{D!} = {D} << {uimm4} (V)", plain<kShiftLanes<Shift::left>>),
-    dsp_form("{D!} = {D} >> {uimm4} (V)", plain<kShiftLanes<Shift::right>>),
-    dsp_form("{D!} = {D} >>> {uimm4} (V)", plain<kShiftLanes<Shift::right_arithmetic>>),
-    early_dsp_form("{D!} = LSHIFT {D} BY {Dl}", plain<kShiftRegister<false>>,
-                   "left when the amount is positive"),
-    early_dsp_form("{D!} = ASHIFT {D} BY {Dl}", plain<kShiftRegister<true>>,
-                   "left when the amount is positive"),
+    // shifts of words
+    dsp_form("{D!} = {D} << {uimm5}", plain<kShiftWord<Amount::left, false, Lost::flagged>>),
+    dsp_form("{D!} = {D} >> {uimm5}", plain<kShiftRight<false>>),
+    dsp_form("{D!} = {D} >>> {uimm5}", plain<kShiftRight<true>>),
+    dsp_form("{D!} = {D} << {uimm5} (S)", plain<kShiftWord<Amount::left, true, Lost::saturate>>),
+    early_dsp_form("{D!} = LSHIFT {D} BY {Dl}",
+                   plain<kShiftWord<Amount::in_register, false, Lost::or_sign>>, kLeft),
+    early_dsp_form("{D!} = ASHIFT {D} BY {Dl}",
+                   plain<kShiftWord<Amount::in_register, true, Lost::or_sign>>, kLeft),
+    early_dsp_form("{D!} = ASHIFT {D} BY {Dl} (S)",
+                   plain<kShiftWord<Amount::in_register, true, Lost::saturate>>, kLeft),
+
+    // shifts of both halves
+    dsp_form("{D!} = {D} << {uimm4} (V)", plain<kShiftHalves<Amount::left, false, Lost::flagged>>),
+    dsp_form("{D!} = {D} >> {uimm4} (V)", plain<kShiftHalves<Amount::right, false, Lost::ignored>>),
+    dsp_form("{D!} = {D} >>> {uimm4} (V)", plain<kShiftHalves<Amount::right, true, Lost::ignored>>),
+    dsp_form("{D!} = {D} << {uimm4} (V, S)",
+             plain<kShiftHalves<Amount::left, true, Lost::saturate>>),
+    dsp_form("{D!} = {D} >>> {uimm4} (V, S)",
+             plain<kShiftHalves<Amount::right, true, Lost::ignored>>),
+    early_dsp_form("{D!} = LSHIFT {D} BY {Dl} (V)",
+                   plain<kShiftHalves<Amount::in_register, false, Lost::ignored>>, kLeft),
+    early_dsp_form("{D!} = ASHIFT {D} BY {Dl} (V)",
+                   plain<kShiftHalves<Amount::in_register, true, Lost::or_sign>>, kLeft),
+    early_dsp_form("{D!} = ASHIFT {D} BY {Dl} (V, S)",
+                   plain<kShiftHalves<Amount::in_register, true, Lost::saturate>>, kLeft),
+
+    // shifts of one half
+    dsp_form("{Dx!} = {Dx} << {uimm4}", plain<kShiftHalf<Amount::left, false, Lost::flagged>>),
+    dsp_form("{Dx!} = {Dx} >> {uimm4}", plain<kShiftHalf<Amount::right, false, Lost::ignored>>),
+    dsp_form("{Dx!} = {Dx} >>> {uimm4}", plain<kShiftHalf<Amount::right, true, Lost::ignored>>),
+    dsp_form("{Dx!} = {Dx} << {uimm4} (S)", plain<kShiftHalf<Amount::left, true, Lost::saturate>>),
+    dsp_form("{Dx!} = {Dx} >>> {uimm4} (S)", plain<kShiftHalf<Amount::right, true, Lost::ignored>>),
+    early_dsp_form("{Dx!} = LSHIFT {Dx} BY {Dl}",
+                   plain<kShiftHalf<Amount::in_register, false, Lost::ignored>>, kLeft),
+    early_dsp_form("{Dx!} = ASHIFT {Dx} BY {Dl}",
+                   plain<kShiftHalf<Amount::in_register, true, Lost::or_sign>>, kLeft),
+    early_dsp_form("{Dx!} = ASHIFT {Dx} BY {Dl} (S)",
+                   plain<kShiftHalf<Amount::in_register, true, Lost::saturate>>, kLeft),
 
     // bits
-    early_dsp_form("{D!} = EXTRACT({D}, {Dl}) (Z)", plain<kExtract<false>>,
+    early_dsp_form("{D!} = EXTRACT({D}, {Dl}) {?(Z)}", plain<kExtract<false>>,
                    "field: length in bits 0-4, position in 8-12"),
     early_dsp_form("{D!} = EXTRACT({D}, {Dl}) (X)", plain<kExtract<true>>,
                    "field: length in bits 0-4, position in 8-12"),
@@ -350,30 +383,12 @@ constexpr Instruction kTable[] = {
                                  "A0 << 1, and below CC ^ the parity of A0 & A1"),
                   kReadsA0 | kWritesA0 | kReadsA1 | kReadsCc),
 
-    // shifts of halves
-    dsp_form("{Dx!} = {Dx} << {uimm4}", plain<kShiftHalf<Amount::left, false, false>>),
-    dsp_form("{Dx!} = {Dx} >> {uimm4}", plain<kShiftHalf<Amount::right, false, false>>),
-    dsp_form("{Dx!} = {Dx} >>> {uimm4}", plain<kShiftHalf<Amount::right, true, false>>),
-    dsp_form("{Dx!} = {Dx} << {uimm4} (S)", plain<kShiftHalf<Amount::left, true, true>>),
-    early_dsp_form("{Dx!} = LSHIFT {Dx} BY {Dl}",
-                   plain<kShiftHalf<Amount::in_register, false, false>>, kLeft),
-    early_dsp_form("{Dx!} = ASHIFT {Dx} BY {Dl}",
-                   plain<kShiftHalf<Amount::in_register, true, false>>, kLeft),
-    early_dsp_form("{Dx!} = ASHIFT {Dx} BY {Dl} (S)",
-                   plain<kShiftHalf<Amount::in_register, true, true>>, kLeft),
-    early_dsp_form("{D!} = LSHIFT {D} BY {Dl} (V)",
-                   plain<kShiftHalves<Amount::in_register, false, false>>, kLeft),
-    early_dsp_form("{D!} = ASHIFT {D} BY {Dl} (V)",
-                   plain<kShiftHalves<Amount::in_register, true, false>>, kLeft),
-
-    // saturating shifts
-    dsp_form("{D!} = {D} << {uimm5} (S)", plain<kShiftWord<Amount::left, true, true>>),
-    dsp_form("{D!} = {D} << {uimm4} (V, S)", plain<kShiftHalves<Amount::left, true, true>>),
-    dsp_form("{D!} = {D} >>> {uimm4} (V, S)", plain<kShiftHalves<Amount::right, true, true>>),
-    early_dsp_form("{D!} = ASHIFT {D} BY {Dl} (S)",
-                   plain<kShiftWord<Amount::in_register, true, true>>, kLeft),
-    early_dsp_form("{D!} = ASHIFT {D} BY {Dl} (V, S)",
-                   plain<kShiftHalves<Amount::in_register, true, true>>, kLeft),
+    with_implicit(early_dsp_form("{Dl!} = VIT_MAX({D}){side}", plain<kViterbi>,
+                                 "the larger half; a bit of A0 tells which"),
+                  kReadsA0 | kWritesA0),
+    with_implicit(early_dsp_form("{D!} = VIT_MAX({D}, {D}){side}", plain<kViterbiPair>,
+                                 "the larger half of each; two bits of A0 tell which"),
+                  kReadsA0 | kWritesA0),
 
     // rotation through CC
     rotate_form(dsp_form("{D!} = ROT {D} BY {imm6}", plain<kRotate<false>>, kRing)),

@@ -210,11 +210,11 @@ constexpr Meaning kDsp[] = {
     {"R1.L = 0x4000; R1.H = 2; A0 = R1.L * R1.H; A0 += R1.L * R1.H; A0 -= R1.H * R1.H;",
      "A0=131064"},
     {"R1.L = -3; R1.H = 5; A1 = R1.L * R1.H (IS); A1 += R1.H * R1.H (IS); A1 -= R1.L * R1.L (IS); "
-     "R2 = A1;",
-     "A1=1 R2=1"},
+     "R3 = A1;",
+     "A1=1 R3=1"},
     {"R1.L = 0x4000; R1.H = 2; A1 = R1.L * R1.H; A1 += R1.L * R1.H;", "A1=131072"},
-    {"R1.L = 5; A0 = R1.L * R1.L (IS); A1 = R1.L * R1.L (IS); A0 = 0; R2 = A1; A1 = 0;",
-     "A0=0 A1=0 R2=25"},
+    {"R1.L = 5; A0 = R1.L * R1.L (IS); A1 = R1.L * R1.L (IS); A0 = 0; R3 = A1; A1 = 0;",
+     "A0=0 A1=0 R3=25"},
     {"R1.L = 5; A0 = R1.L * R1.L (IS); A1 = A0 = 0; MNOP;", "A0=0 A1=0"},
     // parallel: everybody reads before anybody writes
     {"R1 = 1 (X); R2 = 2 (X); R1 = R1 + R2 (NS) || R2 = [P0]; R3 = R1;", "R3=3 R2=0x84838281"},

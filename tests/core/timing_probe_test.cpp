@@ -73,8 +73,8 @@ INSTANTIATE_TEST_SUITE_P(
                     1},
         HazardProbe{"multiply, ALU", kPointers, "R0 = R7.L * R6.L (IS);\n", "R1 = R0 + R7;\n", 0},
         HazardProbe{"MAC, accumulator to register", kPointers, "A0 += R7.L * R6.L (IS);\n",
-                    "R1 = A0;\n", 0},
-        HazardProbe{"accumulator to register, store", kPointers, "R1 = A0;\n", "[P0] = R1;\n", 0}));
+                    "R2 = A0;\n", 0},
+        HazardProbe{"accumulator to register, store", kPointers, "R2 = A0;\n", "[P0] = R2;\n", 0}));
 
 struct CostProbe {
   const char* name;
