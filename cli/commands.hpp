@@ -14,6 +14,7 @@ enum ExitCode : int {
   kUsage = 1,         // the command line cannot be read
   kBadInput = 2,      // a file or a simulated program is wrong
   kBudgetBroken = 3,  // a target is missed, and the caller asked for that
+  kCycleLimit = 124,    // `finback exec`: the program used up its cycles
   kInterrupted = 130,
 };
 
@@ -26,6 +27,7 @@ void add_profile_command(CLI::App& app, Action& action);
 void add_annotate_command(CLI::App& app, Action& action);
 void add_explore_command(CLI::App& app, Action& action);
 void add_machine_command(CLI::App& app, Action& action);
+void add_exec_command(CLI::App& app, Action& action);
 void add_isa_command(CLI::App& app, Action& action);
 
 }  // namespace finback::cli

@@ -54,15 +54,21 @@ void apply_setting(machine::MachineDescription& machine, const std::string& text
 
 }  // namespace
 
+std::unique_ptr<machine::MachineDescription> load_machine(
+    const std::string& file, const std::vector<std::string>& settings) {
+  auto description =
+      file.empty() ? std::make_unique<machine::MachineDescription>() : machine::load_machine(file);
+  for (const std::string& setting : settings) {
+    apply_setting(*description, setting);
+  }
+  return description;
+}
+
 RunInputs load_inputs(const RunRequest& request) {
   RunInputs inputs;
   inputs.scene = request.left.empty() ? scenes::load_scene(request.scene, share_folder() / "scenes")
                                       : scenes::load_scene_pair(request.left, request.right);
-  inputs.machine = request.machine.empty() ? std::make_unique<machine::MachineDescription>()
-                                           : machine::load_machine(request.machine);
-  for (const std::string& setting : request.settings) {
-    apply_setting(*inputs.machine, setting);
-  }
+  inputs.machine = load_machine(request.machine, request.settings);
   inputs.firmware = find_firmware(
       request.firmware,
       request.placement.empty() ? std::nullopt : std::optional<fs::path>(request.placement));

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,11 @@ struct RunRequest {
   double max_seconds = 0;             // of simulated time; 0: two a frame
 };
 inline constexpr std::uint32_t kMostFrames = 10000;
+
+// The machine of a file ("": the BF561) with settings such as "memory.l2.read_cycles=9". Throws
+// InputError.
+[[nodiscard]] std::unique_ptr<machine::MachineDescription> load_machine(
+    const std::string& file, const std::vector<std::string>& settings);
 
 // Loads everything that `request` names. Throws InputError.
 [[nodiscard]] RunInputs load_inputs(const RunRequest& request);

@@ -18,8 +18,11 @@ constexpr std::uint32_t kNullGuard = 4096;  // bytes that stay free at address 0
 constexpr std::uint32_t kStackAlign = 8;
 
 std::string describe(const Thing& thing) {
-  return fmt::format("{} {}", thing.is_stack() ? "the" : (thing.function ? "function" : "object"),
-                     thing.name);
+  const char* kind = thing.is_stack() ? "the"
+                     : thing.piece    ? "section"
+                     : thing.function ? "function"
+                                      : "object";
+  return fmt::format("{} {}", kind, thing.name);
 }
 
 std::uint32_t code_size(const Function& function) {
@@ -80,6 +83,30 @@ class Collector {
       thing.written = object.written;
       add(unit, std::move(thing));
     }
+    for (const Piece& piece : unit.pieces) {
+      add_piece(unit, piece);
+    }
+  }
+
+  void add_piece(const Program& unit, const Piece& piece) {
+    if (owner_ == Owner::shared && !piece.packets.empty()) {
+      throw InputError(piece.written,
+                       fmt::format("{} has instructions, but stands in a shared unit: list the "
+                                   "file under each core that runs it",
+                                   piece.name));
+    }
+    Thing thing;
+    thing.piece = &piece;
+    thing.symbol = piece.name;
+    thing.align = std::max(piece.align, piece.code ? 2u : 1u);
+    thing.size = piece.size;
+    thing.written = piece.written;
+    for (const PieceLabel& label : piece.labels) {
+      if (label.binding == Binding::global) {
+        define(label.name, label.written);
+      }
+    }
+    add(unit, std::move(thing));
   }
 
   void add(const Program& unit, Thing thing) {
@@ -90,21 +117,27 @@ class Collector {
     if (thing.binding != Binding::local) {
       const auto [found, first] = strongest_.emplace(thing.symbol, index);
       if (!first && thing.binding == Binding::global) {
-        const Thing& other = things_[found->second];
-        if (other.binding == Binding::global) {
-          throw InputError(thing.written,
-                           fmt::format("{} of {} is defined already, at {}", thing.symbol,
-                                       owner_name(owner_), other.written.to_string()));
-        }
         found->second = index;
       }
     }
+    if (thing.binding == Binding::global) {
+      define(thing.symbol, thing.written);
+    }
     things_.push_back(std::move(thing));
+  }
+
+  void define(const std::string& symbol, const SourcePlace& written) {
+    const auto [found, first] = defined_.emplace(symbol, written);
+    if (!first) {
+      throw InputError(written, fmt::format("{} of {} is defined already, at {}", symbol,
+                                            owner_name(owner_), found->second.to_string()));
+    }
   }
 
   Owner owner_;
   std::vector<Thing> things_;
   std::map<std::string, std::size_t> strongest_;  // global symbol -> index of its definition
+  std::map<std::string, SourcePlace> defined_;    // global, not weak
 };
 
 // --- where they go ---
@@ -200,7 +233,7 @@ class Layout {
   void check_patterns(Owner owner, const std::vector<PlacementRule>& rules, bool functions) const {
     std::vector<std::string> names;
     for (const Thing& thing : things_[index_of(owner)]) {
-      if ((thing.function != nullptr) == functions) {
+      if (thing.is_code() == functions) {
         names.push_back(thing.name);
       }
     }
@@ -224,7 +257,7 @@ class Layout {
         continue;
       }
       for (const Thing& thing : Collector(other, units_of(other)).take()) {
-        if ((thing.function != nullptr) == functions && matches(rule, thing.name)) {
+        if (thing.is_code() == functions && matches(rule, thing.name)) {
           return fmt::format(", but {} has: move the line to [{}.{}]", owner_name(other),
                              owner_name(other), functions ? "functions" : "objects");
         }
@@ -238,7 +271,7 @@ class Layout {
   // The regions that rules name for a thing, or nothing when it goes by default.
   [[nodiscard]] const RegionList* named(const Thing& thing) const {
     const OwnerPlacement& own = placement_.of(thing.owner);
-    const auto& rules = thing.function != nullptr ? own.functions : own.objects;
+    const auto& rules = thing.is_code() ? own.functions : own.objects;
     const auto found = std::ranges::find_if(
         rules, [&](const PlacementRule& rule) { return matches(rule, thing.name); });
     return found == rules.end() ? nullptr : &found->regions;
@@ -263,7 +296,7 @@ class Layout {
     for (const bool functions : {true, false}) {
       for (const Thing& thing : things_[index_of(owner)]) {
         const RegionList* rule = named(thing);
-        if ((thing.function != nullptr) != functions || (rule != nullptr) != by_name) {
+        if (thing.is_code() != functions || (rule != nullptr) != by_name) {
           continue;
         }
         place(thing, by_name ? *rule : (functions ? own.code : own.defaults), by_name);
@@ -289,7 +322,7 @@ class Layout {
 
   void place(Thing thing, const RegionList& list, bool by_name) {
     for (const std::string& name : list.names) {
-      const Region& found = region(thing.owner, name, list.written, thing.function != nullptr);
+      const Region& found = region(thing.owner, name, list.written, thing.is_code());
       if (const auto offset = room(found, thing)) {
         used(found) = *offset + thing.size;
         thing.region = &found;
@@ -304,8 +337,7 @@ class Layout {
   [[noreturn]] void overflow(const Thing& thing, const RegionList& list, bool by_name) {
     std::string message;
     if (list.names.size() == 1) {
-      const Region& full =
-          region(thing.owner, list.names[0], list.written, thing.function != nullptr);
+      const Region& full = region(thing.owner, list.names[0], list.written, thing.is_code());
       message = fmt::format(
           "{} overflows: {} of {} has {} bytes (alignment {}), but of {} bytes {} are taken",
           full.name, describe(thing), owner_name(thing.owner), thing.size, thing.align, full.size,
@@ -317,7 +349,7 @@ class Layout {
                       fmt::join(list.names, ", "), by_name ? "" : ", where it goes by default");
     }
     for (const std::string& name : list.names) {
-      message += residents(region(thing.owner, name, list.written, thing.function != nullptr));
+      message += residents(region(thing.owner, name, list.written, thing.is_code()));
     }
     throw InputError(list.written, message);
   }

@@ -14,12 +14,13 @@
 
 namespace finback::ir {
 
-// A function, an object or a stack of one owner.
+// A function, an object, a piece of an assembler file, or a stack of one owner.
 struct Thing {
   Owner owner = Owner::shared;
   const Program* unit = nullptr;       // nullptr: a stack
-  const Function* function = nullptr;  // one of both, or a stack
+  const Function* function = nullptr;  // one of the three, or a stack
   const Object* object = nullptr;
+  const Piece* piece = nullptr;
   std::string symbol;  // as in the text
   std::string name;    // as C spells it
   Binding binding = Binding::local;
@@ -28,7 +29,13 @@ struct Thing {
   SourcePlace written;
   const memory::Region* region = nullptr;  // found by lay_out
   Address address = 0;
-  [[nodiscard]] bool is_stack() const { return function == nullptr && object == nullptr; }
+  [[nodiscard]] bool is_stack() const {
+    return function == nullptr && object == nullptr && piece == nullptr;
+  }
+  // Goes where functions go.
+  [[nodiscard]] bool is_code() const {
+    return function != nullptr || (piece != nullptr && piece->code);
+  }
 };
 
 // Everything that is placed, in the order in which it was: named before defaulted, the order of the

@@ -60,17 +60,23 @@ class Linker {
   }
 
  private:
-  using SymbolTable = std::unordered_map<std::string_view, const Thing*>;
+  struct Target {
+    Address address = 0;
+    bool code = false;
+    bool piece = false;  // of an assembler file: a place some bytes beyond may be branched to
+  };
+
+  // What a symbol stands for.
+  struct Definition {
+    Target target;
+    bool weak = false;
+  };
+  using SymbolTable = std::unordered_map<std::string_view, Definition>;
 
   // Who refers to a symbol.
   struct Reference {
     const Thing& from;
     SourcePlace place;
-  };
-
-  struct Target {
-    Address address = 0;
-    bool code = false;
   };
 
   // --- symbols ---
@@ -80,14 +86,39 @@ class Linker {
       if (thing.is_stack()) {
         continue;
       }
-      locals_[{thing.owner, thing.unit}].emplace(thing.symbol, &thing);
-      if (thing.binding != Binding::local) {
-        globals_[index_of(thing.owner)].emplace(thing.symbol, &thing);
-      }
+      enter(thing.owner, thing.unit, thing.symbol, thing.binding,
+            {thing.address, thing.is_code(), thing.piece != nullptr});
       if (thing.function != nullptr) {
         offsets(*thing.function);
         functions_[{thing.owner, thing.unit}].push_back(&thing);
       }
+      if (thing.piece != nullptr) {
+        for (const PieceLabel& label : thing.piece->labels) {
+          enter(thing.owner, thing.unit, label.name, label.binding,
+                {thing.address + label.offset, thing.piece->code, true});
+        }
+      }
+    }
+    for (const Owner owner : {Owner::core_a, Owner::core_b, Owner::shared}) {
+      for (const Unit& unit :
+           owner == Owner::shared ? firmware_.shared : firmware_.cores[index_of(owner)].units) {
+        for (const Constant& constant : unit->constants) {
+          enter(owner, unit.get(), constant.name, constant.binding, {constant.value, true, true});
+        }
+      }
+    }
+  }
+
+  void enter(Owner owner, const Program* unit, const std::string& symbol, Binding binding,
+             const Target& target) {
+    locals_[{owner, unit}].emplace(symbol, Definition{target});
+    if (binding == Binding::local) {
+      return;
+    }
+    const bool weak = binding == Binding::weak;
+    const auto [found, first] = globals_[index_of(owner)].emplace(symbol, Definition{target, weak});
+    if (!first && found->second.weak && !weak) {
+      found->second = {target};
     }
   }
 
@@ -127,7 +158,7 @@ class Linker {
           &globals_[index_of(Owner::shared)]}) {
       const auto found = table->find(symbol);
       if (found != table->end()) {
-        return {found->second->address, found->second->function != nullptr};
+        return found->second.target;
       }
     }
     if (from.object != nullptr) {
@@ -159,18 +190,27 @@ class Linker {
       if (seen && (thing.binding != Binding::local || thing.unit == reference.from.unit)) {
         known.push_back(thing.symbol);
       }
+      if (seen && thing.piece != nullptr) {
+        for (const PieceLabel& label : thing.piece->labels) {
+          if (label.binding != Binding::local || thing.unit == reference.from.unit) {
+            known.push_back(label.name);
+          }
+        }
+      }
     }
     const std::string nearest = nearest_name(symbol, known);
     const bool shared = reference.from.owner == Owner::shared;
     throw InputError(
         reference.place,
-        fmt::format(
-            "{} {} refers to {}, which {} defines{}",
-            reference.from.function != nullptr ? "function" : "object", reference.from.name, symbol,
-            shared
-                ? "no shared unit"
-                : fmt::format("no unit of {} and no shared one", owner_name(reference.from.owner)),
-            nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
+        fmt::format("{} {} refers to {}, which {} defines{}",
+                    reference.from.function != nullptr ? "function"
+                    : reference.from.object != nullptr ? "object"
+                                                       : "section",
+                    reference.from.name, symbol,
+                    shared ? "no shared unit"
+                           : fmt::format("no unit of {} and no shared one",
+                                         owner_name(reference.from.owner)),
+                    nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
   }
 
   // --- code ---
@@ -182,7 +222,7 @@ class Linker {
     file_numbers_.clear();
     std::vector<const Thing*> functions;
     for (const Thing& thing : things_) {
-      if (thing.owner == owner && thing.function != nullptr) {
+      if (thing.owner == owner && (thing.function != nullptr || thing.piece != nullptr)) {
         functions.push_back(&thing);
       }
       if (thing.owner == owner && thing.is_stack()) {
@@ -190,8 +230,12 @@ class Linker {
       }
     }
     std::ranges::sort(functions, {}, &Thing::address);
-    for (const Thing* function : functions) {
-      emit_function(core, *function);
+    for (const Thing* thing : functions) {
+      if (thing->function != nullptr) {
+        emit_function(core, *thing);
+      } else {
+        emit_piece(core, *thing);
+      }
     }
     set_entry(core, owner);
   }
@@ -206,20 +250,57 @@ class Linker {
                               .first_packet = core.packets.size(),
                               .packet_count = function.packets.size()});
     for (std::size_t i = 0; i < function.packets.size(); ++i) {
-      const Packet& packet = function.packets[i];
-      PlacedPacket placed;
-      placed.address = thing.address + at[i];
-      placed.length = static_cast<std::uint8_t>(at[i + 1] - at[i]);
-      placed.count = static_cast<std::uint8_t>(packet.slots.size());
-      placed.function = static_cast<std::uint32_t>(core.functions.size() - 1);
-      const Line line = line_of(*thing.unit, packet);
-      placed.file = file_number(core, line.file);
-      placed.line = line.line;
-      for (std::size_t slot = 0; slot < packet.slots.size(); ++slot) {
-        placed.slots[slot] =
-            link_instruction({thing, packet.written}, packet.slots[slot], placed.address);
+      emit_packet(core, thing, function.packets[i], thing.address + at[i], at[i + 1] - at[i]);
+    }
+  }
+
+  // A packet of the function that was begun last.
+  void emit_packet(CoreImage& core, const Thing& thing, const Packet& packet, Address address,
+                   std::uint32_t length) {
+    PlacedPacket placed;
+    placed.address = address;
+    placed.length = static_cast<std::uint8_t>(length);
+    placed.count = static_cast<std::uint8_t>(packet.slots.size());
+    placed.function = static_cast<std::uint32_t>(core.functions.size() - 1);
+    const Line line = line_of(*thing.unit, packet);
+    placed.file = file_number(core, line.file);
+    placed.line = line.line;
+    for (std::size_t slot = 0; slot < packet.slots.size(); ++slot) {
+      placed.slots[slot] = link_instruction({thing, packet.written}, packet.slots[slot], address);
+    }
+    core.packets.push_back(placed);
+  }
+
+  // Functions and objects of a piece: one begins at each label that begins something, another
+  // where instructions and bytes meet.
+  void emit_piece(CoreImage& core, const Thing& thing) {
+    const Piece& piece = *thing.piece;
+    std::string name = thing.name;
+    std::uint32_t begun = 0;  // where `name` stands
+    auto label = piece.labels.begin();
+    std::uint32_t end = 0;  // of the function that goes on
+    for (const PiecePacket& at : piece.packets) {
+      bool begins = at.offset != end || at.offset == 0;
+      for (; label != piece.labels.end() && label->offset <= at.offset; ++label) {
+        if (label->begins) {
+          name = c_name(label->name);
+          begun = label->offset;
+          begins = begins || begun == at.offset;
+        }
       }
-      core.packets.push_back(placed);
+      const std::uint32_t length = packet_length(at.packet, table_);
+      if (begins) {
+        core.functions.push_back(
+            {.name = at.offset == begun ? name : fmt::format("{}+{:#x}", name, at.offset - begun),
+             .region = thing.region->name,
+             .address = thing.address + at.offset,
+             .first_packet = core.packets.size()});
+      }
+      emit_packet(core, thing, at.packet, thing.address + at.offset, length);
+      PlacedFunction& function = core.functions.back();
+      function.size += length;
+      ++function.packet_count;
+      end = at.offset + length;
     }
   }
 
@@ -248,7 +329,8 @@ class Linker {
       const Target target = resolve(reference, value.symbol);
       const Address sum = target.address + static_cast<Address>(value.number);
       if (isa::is_code_address(roles[i].kind)) {
-        check_distance(reference, roles[i].kind, value, target, address);
+        check_branch(reference, value, target);
+        check_distance(reference, roles[i].kind, value, sum - address);
         result = static_cast<std::int32_t>(sum);
       } else {
         result = static_cast<std::int32_t>(takes_high_half(roles, instruction) ? sum >> 16
@@ -258,18 +340,27 @@ class Linker {
     return placed;
   }
 
+  void check_branch(const Reference& reference, const OperandValue& value,
+                    const Target& target) const {
+    if (target.piece || (target.code && value.number == 0)) {
+      return;
+    }
+    throw InputError(
+        reference.place,
+        fmt::format("{} branches to {}{}, which is no label and no function", who(reference),
+                    value.symbol, value.number == 0 ? "" : fmt::format(" {:+d}", value.number)));
+  }
+
+  static std::string who(const Reference& reference) {
+    return fmt::format("{} {}", reference.from.function != nullptr ? "function" : "section",
+                       reference.from.name);
+  }
+
   // Distances wrap around at 4 GB, as in the machine.
   void check_distance(const Reference& reference, OperandKind kind, const OperandValue& value,
-                      const Target& target, Address address) const {
-    const std::string& name = reference.from.name;
-    if (!target.code || value.number != 0) {
-      throw InputError(
-          reference.place,
-          fmt::format("function {} branches to {}{}, which is no label and no function", name,
-                      value.symbol, value.number == 0 ? "" : fmt::format(" {:+d}", value.number)));
-    }
+                      Address difference) const {
     const isa::ImmediateRange range = *isa::immediate_range(kind);
-    const auto distance = static_cast<std::int32_t>(target.address - address);
+    const auto distance = static_cast<std::int32_t>(difference);
     if (distance >= range.minimum && distance <= range.maximum) {
       return;
     }
@@ -277,7 +368,7 @@ class Linker {
     throw InputError(
         reference.place,
         fmt::format(
-            "function {}: {}{} is {} bytes away, out of the range {}..{}", name,
+            "{}: {}{} is {} bytes away, out of the range {}..{}", who(reference),
             loop ? (kind == OperandKind::loop_top ? "the loop's top " : "the loop's bottom ") : "",
             value.symbol, distance, range.minimum, range.maximum));
   }
@@ -286,13 +377,18 @@ class Linker {
     const std::string& entry = firmware_.cores[index_of(owner)].entry;
     const SymbolTable& globals = globals_[index_of(owner)];
     auto found = globals.find(entry);
-    if (found != globals.end() && found->second->function != nullptr) {
-      core.entry = found->second->address;
+    if (found != globals.end() && found->second.target.code) {
+      core.entry = found->second.target.address;
       return;
     }
-    for (const Thing& thing : things_) {  // a start-up without .global
-      if (thing.owner == owner && thing.function != nullptr && thing.symbol == entry) {
-        core.entry = thing.address;
+    for (const Unit& unit : firmware_.cores[index_of(owner)].units) {  // without .global
+      const auto locals = locals_.find({owner, unit.get()});
+      if (locals == locals_.end()) {
+        continue;
+      }
+      const auto local = locals->second.find(entry);
+      if (local != locals->second.end() && local->second.target.code) {
+        core.entry = local->second.target.address;
         return;
       }
     }
@@ -304,36 +400,85 @@ class Linker {
 
   void emit_objects() {
     for (const Thing& thing : things_) {
+      if (thing.piece != nullptr) {
+        emit_data(thing);
+        continue;
+      }
       if (thing.function != nullptr) {
         continue;
       }
-      PlacedObject placed;
-      placed.name = thing.name;
-      placed.owner = thing.owner;
-      placed.region = thing.region->name;
-      placed.address = thing.address;
-      placed.size = thing.size;
+      std::vector<std::uint8_t> initial;
       if (thing.object != nullptr) {
-        placed.initial = thing.object->initial;
-        for (const Relocation& relocation : thing.object->relocations) {
-          relocate(thing, relocation, placed.initial);
-        }
+        initial = thing.object->initial;
+        relocate(thing, thing.object->relocations, initial);
       }
-      image_.objects.push_back(std::move(placed));
+      emit_object(thing, thing.name, 0, thing.size, std::move(initial));
     }
     std::ranges::sort(image_.objects, [](const PlacedObject& one, const PlacedObject& other) {
       return std::pair(one.owner, one.address) < std::pair(other.owner, other.address);
     });
   }
 
-  void relocate(const Thing& thing, const Relocation& relocation,
+  // The bytes of a piece, under the labels that begin something.
+  void emit_data(const Thing& thing) {
+    const Piece& piece = *thing.piece;
+    std::vector<std::uint8_t> bytes = piece.initial;
+    relocate(thing, piece.relocations, bytes);
+    std::string name = thing.name;
+    std::uint32_t begun = 0;
+    std::uint32_t from = 0;  // bytes not emitted yet
+    const auto emit_to = [&](std::uint32_t to) {
+      if (to > from) {
+        const auto byte = [&](std::uint32_t offset) {
+          return bytes.begin() +
+                 static_cast<std::ptrdiff_t>(std::min<std::size_t>(offset, bytes.size()));
+        };
+        emit_object(thing, from == begun ? name : fmt::format("{}+{:#x}", name, from - begun), from,
+                    to - from, {byte(from), byte(to)});
+      }
+      from = std::max(from, to);
+    };
+    auto packet = piece.packets.begin();
+    const auto emit_before = [&](std::uint32_t end) {  // and skip the instructions
+      for (; packet != piece.packets.end() && packet->offset < end; ++packet) {
+        emit_to(packet->offset);
+        from = packet->offset + packet_length(packet->packet, table_);
+      }
+      emit_to(end);
+    };
+    for (const PieceLabel& label : piece.labels) {
+      if (label.begins) {
+        emit_before(label.offset);
+        name = c_name(label.name);
+        begun = label.offset;
+      }
+    }
+    emit_before(piece.size);
+  }
+
+  void emit_object(const Thing& thing, std::string name, std::uint32_t offset, std::uint32_t size,
+                   std::vector<std::uint8_t> initial) {
+    PlacedObject placed;
+    placed.name = std::move(name);
+    placed.owner = thing.owner;
+    placed.region = thing.region->name;
+    placed.address = thing.address + offset;
+    placed.size = size;
+    placed.initial = std::move(initial);
+    image_.objects.push_back(std::move(placed));
+  }
+
+  void relocate(const Thing& thing, const std::vector<Relocation>& relocations,
                 std::vector<std::uint8_t>& bytes) {
-    const Target target = resolve({thing, thing.written}, relocation.symbol);
-    const Address value = target.address + static_cast<Address>(relocation.addend);
-    const std::size_t end = std::size_t{relocation.offset} + 4;
-    bytes.resize(std::max(bytes.size(), end));
-    for (std::size_t i = 0; i < 4; ++i) {
-      bytes[relocation.offset + i] = static_cast<std::uint8_t>(value >> (8 * i));
+    for (const Relocation& relocation : relocations) {
+      const SourcePlace& place = relocation.written.line > 0 ? relocation.written : thing.written;
+      const Target target = resolve({thing, place}, relocation.symbol);
+      const Address value = target.address + static_cast<Address>(relocation.addend);
+      const std::size_t end = std::size_t{relocation.offset} + 4;
+      bytes.resize(std::max(bytes.size(), end));
+      for (std::size_t i = 0; i < 4; ++i) {
+        bytes[relocation.offset + i] = static_cast<std::uint8_t>(value >> (8 * i));
+      }
     }
   }
 

@@ -19,7 +19,7 @@ void ObjectBuilder::number(std::int64_t value, int bytes) {
 }
 
 void ObjectBuilder::address(std::string symbol, std::int32_t addend) {
-  object_.relocations.push_back({object_.size, 4, std::move(symbol), addend});
+  object_.relocations.push_back({object_.size, 4, std::move(symbol), addend, {}});
   object_.size += 4;
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <common/file.hpp>
+#include <isa_sim/assembler/assemble.hpp>
 #include <isa_sim/ir/parser.hpp>
 #include <isa_sim/ir/parser_state.hpp>
 #include <isa_sim/ir/verifier.hpp>
@@ -180,10 +181,7 @@ void Parser::read_packet() {
     }
   }
   ++position_;
-  // The canonical order, which is that of the issue slots.
-  std::ranges::stable_sort(packet.slots, {}, [this](const ParsedInstruction& instruction) {
-    return syntax_.table()[static_cast<std::size_t>(instruction.instruction)].slot;
-  });
+  order_slots(packet, syntax_.table());
   program_.functions.back().packets.push_back(std::move(packet));
   align_.reset();
 }
@@ -206,7 +204,8 @@ Program parse(std::string_view text, const std::string& file) {
 }
 
 Program load_program(const std::filesystem::path& path) {
-  Program program = parse(read_text_file(path), path.string());
+  Program program = assembler::is_assembler_file(path) ? assembler::assemble_file(path)
+                                                       : parse(read_text_file(path), path.string());
   verify(program);
   return program;
 }

@@ -24,6 +24,12 @@ bool same_object(const Object& one, const Object& other) {
 
 }  // namespace
 
+void order_slots(Packet& packet, std::span<const isa::Instruction> table) {
+  std::ranges::stable_sort(packet.slots, {}, [table](const ParsedInstruction& instruction) {
+    return table[static_cast<std::size_t>(instruction.instruction)].slot;
+  });
+}
+
 bool same_program(const Program& one, const Program& other) {
   return one.source_files == other.source_files &&
          std::ranges::equal(one.functions, other.functions, same_function) &&

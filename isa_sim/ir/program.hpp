@@ -1,5 +1,5 @@
-// A BIR program: functions of packets of instructions, and data objects, all symbolic; no addresses
-// yet.
+// A program before it is placed: functions of packets of instructions, data objects, and the pieces
+// of assembler files; all symbolic, no addresses yet.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +45,11 @@ struct Relocation {
   int bytes = 4;
   std::string symbol;
   std::int32_t addend = 0;
-  bool operator==(const Relocation&) const = default;
+  SourcePlace written = {};  // of an assembler file; does not count in a comparison
+  bool operator==(const Relocation& other) const {
+    return offset == other.offset && bytes == other.bytes && symbol == other.symbol &&
+           addend == other.addend;
+  }
 };
 
 struct Object {
@@ -59,11 +63,49 @@ struct Object {
   SourcePlace written;
 };
 
+// A place in a piece that has a name.
+struct PieceLabel {
+  std::string name;
+  Binding binding = Binding::local;
+  std::uint32_t offset = 0;  // bytes from the piece's start, up to its size
+  bool begins = false;       // a function or an object, in profiles and reports
+  SourcePlace written;
+};
+
+struct PiecePacket {
+  std::uint32_t offset = 0;
+  Packet packet;
+};
+
+// A section of an assembler file: instructions and bytes in the order of the text, placed as one,
+// so that neighbours in the text are neighbours in memory.
+struct Piece {
+  std::string name;  // "boot.text": the file's name without its ending, then the section's
+  std::uint32_t align = 1;
+  std::uint32_t size = 0;
+  bool code = false;                  // placed where instructions go
+  std::vector<PiecePacket> packets;   // ordered by offset
+  std::vector<std::uint8_t> initial;  // zero where instructions lie; shorter than `size`: zeros
+  std::vector<Relocation> relocations;
+  std::vector<PieceLabel> labels;  // ordered by offset
+  SourcePlace written;
+};
+
+// A symbol that is a number (`.set`).
+struct Constant {
+  std::string name;
+  Binding binding = Binding::local;
+  std::uint32_t value = 0;
+};
+
+// What a BIR file says, in functions and objects; or an assembler file, in pieces and constants.
 struct Program {
-  std::string path;                       // the BIR file, for messages
+  std::string path;                       // the file, for messages
   std::vector<std::string> source_files;  // [0] is "", .file N is [N]
   std::vector<Function> functions;        // in the order of the text
   std::vector<Object> objects;
+  std::vector<Piece> pieces;
+  std::vector<Constant> constants;
 };
 
 // Whether two programs say the same; where they are written does not count.
@@ -73,6 +115,9 @@ struct Program {
 [[nodiscard]] inline std::string c_name(const std::string& symbol) {
   return symbol.starts_with('_') ? symbol.substr(1) : symbol;
 }
+
+// Puts a packet's instructions into the canonical order, which is that of the issue slots.
+void order_slots(Packet& packet, std::span<const isa::Instruction> table);
 
 // Bytes that a packet takes: its instruction's 2 or 4, or 8 when several issue together.
 [[nodiscard]] inline std::uint32_t packet_length(const Packet& packet,

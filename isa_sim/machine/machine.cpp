@@ -209,6 +209,10 @@ core::CoreProfile Machine::profile(CoreId core) const {
   return implementation_->core_at(static_cast<int>(core)).profile();
 }
 
+const isa::ExecutionState& Machine::state(CoreId core) const {
+  return implementation_->core_at(static_cast<int>(core)).state();
+}
+
 std::uint32_t Machine::stack_used(CoreId core) const { return implementation_->stack_used(core); }
 
 }  // namespace finback::machine

@@ -14,6 +14,10 @@
 #include <isa_sim/core/profile.hpp>
 #include <isa_sim/ir/image.hpp>
 
+namespace finback::isa {
+struct ExecutionState;
+}
+
 namespace finback::memory {
 class MemorySystem;
 }
@@ -61,6 +65,8 @@ class Machine {
 
   [[nodiscard]] const CounterRegistry& counters() const;
   [[nodiscard]] core::CoreProfile profile(CoreId core) const;
+  // A core's registers and flags, for whoever looks at them when it stands still.
+  [[nodiscard]] const isa::ExecutionState& state(CoreId core) const;
   // Bytes of a core's stack, from its top down to the deepest that was ever changed; 0 when the
   // core has none. Stacks begin filled with a pattern: a push of just that pattern goes unseen.
   [[nodiscard]] std::uint32_t stack_used(CoreId core) const;
