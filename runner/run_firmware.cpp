@@ -16,6 +16,9 @@ std::string complaint(const machine::StopInfo& stop, machine::HostPort& host, do
   const double seconds = static_cast<double>(stop.time) / core_hertz;
   switch (stop.reason) {
     case machine::Stop::exited:
+      if (!stop.message.empty()) {
+        return fmt::format("ended after {:.6f} s: {}", seconds, stop.message);
+      }
       if (stop.exit_status != 0) {
         return fmt::format("exited with status {} after {:.6f} s", stop.exit_status, seconds);
       }

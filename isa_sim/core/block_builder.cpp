@@ -12,9 +12,6 @@ using isa::Operation;
 
 namespace {
 
-// Long enough for any loop worth the name, short enough that interrupts and other actors are not
-// kept waiting.
-constexpr std::uint32_t kMaxPackets = 64;
 constexpr Address kFetchBytes = 8;  // hardware.md 1.1: 64 bits from 8-byte boundaries
 
 bool is_nop(const Instruction& info) {
@@ -107,7 +104,8 @@ std::uint32_t BlockBuilder::packet_at(Address address) const {
   return found == packet_index_.end() ? kNoPacket : found->second;
 }
 
-std::unique_ptr<Block> BlockBuilder::build(Address address, std::uint32_t state) {
+std::unique_ptr<Block> BlockBuilder::build(Address address, std::uint32_t state,
+                                           std::uint32_t max_packets) {
   const std::uint32_t first = packet_at(address);
   if (first == kNoPacket) {
     return nullptr;
@@ -115,11 +113,12 @@ std::unique_ptr<Block> BlockBuilder::build(Address address, std::uint32_t state)
   Draft draft{std::make_unique<Block>(), {}, states_.state(state), 0};
   Block& block = *draft.block;
   block.address = address;
+  block.entry_state = state;
   block.first_packet = first;
   block.function = image_.packets[first].function;
   const ir::PlacedPacket* last = nullptr;
-  for (std::uint32_t index = first; index < image_.packets.size() && index < first + kMaxPackets;
-       ++index) {
+  const std::uint32_t end = first + std::min(max_packets, max_packets_);
+  for (std::uint32_t index = first; index < image_.packets.size() && index < end; ++index) {
     const ir::PlacedPacket& packet = image_.packets[index];
     if (last != nullptr &&
         (packet.function != block.function || packet.address != last->address + last->length)) {
@@ -136,6 +135,8 @@ std::unique_ptr<Block> BlockBuilder::build(Address address, std::uint32_t state)
   block.may_end_loop = loop_bottoms_.contains(last->address);
   block.exit_state = states_.number_of(draft.state);
   set_exit(block, *last);
+  block.has_end_work =
+      block.ends >= BlockEnd::call || (block.may_end_loop && block.ends != BlockEnd::falls_through);
   Operation leave;
   leave.execute = leave_block;
   draft.operations.push_back(leave);
@@ -201,6 +202,13 @@ void BlockBuilder::add_operations(Draft& draft, const ir::PlacedPacket& packet, 
   std::stable_sort(order.begin(), order.begin() + count, [](const auto* left, const auto* right) {
     return order_in_packet(info_of(*left)) < order_in_packet(info_of(*right));
   });
+  if (save_ != nullptr && may_be_undone(packet)) {
+    Operation save;
+    save.execute = save_;
+    save.site = index;
+    save.address = packet.address;
+    draft.operations.push_back(save);
+  }
   if (accesses > 1) {
     add_conflict_check(draft, packet, index, cycle);
   }
@@ -240,6 +248,14 @@ void BlockBuilder::save_store_source(Draft& draft, std::span<const ir::PlacedIns
   save.operand[0] = reg;
   draft.operations.insert(draft.operations.end() - static_cast<std::ptrdiff_t>(before), save);
   source = isa::kScratchRegister | (source & isa::kHighHalf);
+}
+
+// Its operations may have changed registers when a later access, or the fetch of where it calls,
+// turns out to be an exception.
+bool BlockBuilder::may_be_undone(const ir::PlacedPacket& packet) {
+  const Instruction& first = info_of(packet.slots[0]);
+  return packet.count > 1 || first.issue == isa::Issue::register_list ||
+         first.flow == Flow::call_indirect;
 }
 
 void BlockBuilder::add_conflict_check(Draft& draft, const ir::PlacedPacket& packet,

@@ -22,8 +22,23 @@ class BlockBuilder {
   BlockBuilder(const ir::CoreImage& image, const CoreParameters& parameters,
                const memory::MemorySystem& memory, isa::Execute conflict);
 
-  // The block at `address`, entered in pipeline state `state`; nullptr when no packet starts there.
-  [[nodiscard]] std::unique_ptr<Block> build(Address address, std::uint32_t state);
+  // Long enough for any loop worth the name, short enough that interrupts and other actors are not
+  // kept waiting.
+  static constexpr std::uint32_t kMaxPackets = 64;
+
+  // The block at `address`, entered in pipeline state `state`, of at most so many packets; nullptr
+  // when no packet starts there.
+  [[nodiscard]] std::unique_ptr<Block> build(Address address, std::uint32_t state,
+                                             std::uint32_t max_packets = kMaxPackets);
+
+  // From now on blocks have at most `max_packets`, and `save` (or nullptr) runs before each packet
+  // that could change registers and then not be completed. False when that is so already.
+  bool set_style(std::uint32_t max_packets, isa::Execute save) {
+    const bool changed = max_packets != max_packets_ || save != save_;
+    max_packets_ = max_packets;
+    save_ = save;
+    return changed;
+  }
 
   // Makes `address` the end of every block that reaches it. False when it was one already.
   bool add_loop_bottom(Address address) { return loop_bottoms_.insert(address).second; }
@@ -37,6 +52,7 @@ class BlockBuilder {
   void add_packet(Draft& draft, std::uint32_t index) const;
   void add_operations(Draft& draft, const ir::PlacedPacket& packet, std::uint32_t index,
                       Cycles cycle) const;
+  [[nodiscard]] static bool may_be_undone(const ir::PlacedPacket& packet);
   static void save_store_source(Draft& draft, std::span<const ir::PlacedInstruction*> packet,
                                 const ir::PlacedInstruction& store, isa::Operation& operation);
   void add_conflict_check(Draft& draft, const ir::PlacedPacket& packet, std::uint32_t index,
@@ -48,6 +64,8 @@ class BlockBuilder {
   const CoreParameters& parameters_;
   const memory::MemorySystem& memory_;
   isa::Execute conflict_;
+  std::uint32_t max_packets_ = kMaxPackets;
+  isa::Execute save_ = nullptr;
   Pipeline pipeline_;
   PipelineStates states_;
   std::set<Address> loop_bottoms_;

@@ -37,6 +37,9 @@ void CallProfile::enter_interrupt(std::uint32_t function, Address return_address
 }
 
 void CallProfile::leave_interrupt(Cycles now) {
+  if (std::ranges::none_of(stack_, &Frame::interrupt)) {
+    return;  // a program that begins as an event's handler
+  }
   while (stack_.size() > 1) {
     const Frame frame = stack_.back();
     pop(now);

@@ -4,18 +4,13 @@
 #include <common/error.hpp>
 #include <isa_sim/core/core.hpp>
 #include <isa_sim/core/placed.hpp>
+#include <isa_sim/core/trap.hpp>
 
 namespace finback::core {
 
 using isa::ExecutionState;
 using isa::Operation;
 using isa::SystemAction;
-
-namespace {
-
-constexpr int kExceptionEvent = 3;
-
-}  // namespace
 
 // The instructions' way into the core.
 struct Core::Hooks {
@@ -25,8 +20,12 @@ struct Core::Hooks {
                                    int bytes, bool write, bool continued) {
     Core& c = core(state);
     memory::Span* span = c.memory_.find_span(c.number_, address);
-    if (span == nullptr || (address & static_cast<Address>(bytes - 1)) != 0) {
-      c.fault(o, c.memory_.core_fault(c.number_, address, bytes, write));
+    if ((address & static_cast<Address>(bytes - 1)) != 0) {
+      c.raise_exception(o, kMisalignedAccess,
+                        c.memory_.core_fault(c.number_, address, bytes, write));
+    }
+    if (span == nullptr) {
+      return c.no_memory(o, c.memory_.core_fault(c.number_, address, bytes, write));
     }
     if (MemoryWindow* window = memory::MemorySystem::window(c.number_, span)) {
       o.window = window;
@@ -54,12 +53,14 @@ struct Core::Hooks {
     if (c.wait_for_turn(o)) {
       return false;
     }
-    c.add_far_bytes(o, kDeviceBytes, bytes);
+    c.check_device_access(o, address);
     if (address >= EventController::kFirstRegister) {
       if (bytes != 4 || !c.events_.read(address, state.interrupt_mask, value)) {
-        c.fault(o,
-                fmt::format("read of {} bytes at {:#010x}: no such core register", bytes, address));
+        c.raise_exception(
+            o, kSupervisorResource,
+            fmt::format("read of {} bytes at {:#010x}: no such core register", bytes, address));
       }
+      c.add_far_bytes(o, kDeviceBytes, bytes);
       c.add_stall(o, Cause::device, c.core_register_stall_);
       return true;
     }
@@ -68,6 +69,7 @@ struct Core::Hooks {
       value = read.value;
       c.add_stall(o, Cause::device, read.stall);
     });
+    c.add_far_bytes(o, kDeviceBytes, bytes);
     return true;
   }
 
@@ -77,32 +79,44 @@ struct Core::Hooks {
     if (c.wait_for_turn(o)) {
       return false;
     }
-    c.add_far_bytes(o, kDeviceBytes, bytes);
+    c.check_device_access(o, address);
     if (address >= EventController::kFirstRegister) {
       if (bytes != 4 || !c.events_.write(address, state.interrupt_mask, value)) {
-        c.fault(
-            o, fmt::format("write of {} bytes at {:#010x}: no such core register", bytes, address));
+        c.raise_exception(
+            o, kSupervisorResource,
+            fmt::format("write of {} bytes at {:#010x}: no such core register", bytes, address));
       }
+      c.add_far_bytes(o, kDeviceBytes, bytes);
       c.add_stall(o, Cause::device, c.core_register_stall_);
-      c.turn_.horizon = 0;  // the mask may let an interrupt in
+      c.turn_.horizon = 0;
+      c.choose_block_style(o);
+      c.look_for_events(o);  // the mask may let an interrupt in
       return true;
     }
     c.guarded(o, [&] {
       c.add_stall(o, Cause::device,
                   c.port_.device_write(c.number_, address, bytes, value, c.now(o)));
     });
+    c.add_far_bytes(o, kDeviceBytes, bytes);
     return true;
   }
 
   static bool test_and_set(ExecutionState& state, const Operation& o, Address address,
                            std::uint8_t& old) {
     Core& c = core(state);
-    if (c.wait_for_turn(o)) {
-      return false;
-    }
     memory::Span* span = c.memory_.find_span(c.number_, address);
     if (span == nullptr) {
       c.fault(o, c.memory_.core_fault(c.number_, address, 1, true));
+    }
+    if (MemoryWindow* window = memory::MemorySystem::window(c.number_, span)) {
+      // Nobody else sees the core's own memory: there it needs no lock.
+      ++window->reads[0];
+      ++window->writes[0];
+      old = std::exchange(*span->at(address), static_cast<std::uint8_t>(*span->at(address) | 0x80));
+      return true;
+    }
+    if (c.wait_for_turn(o)) {
+      return false;
     }
     c.guarded(o, [&] {
       const bool far = span->level == memory::Level::l3;
@@ -158,23 +172,34 @@ Core::Core(CoreId id, const ir::CoreImage& image, const CoreParameters& paramete
   state_.engine = this;
 }
 
-void Core::start(Cycles at) {
+void Core::start(Cycles at, const Start& how) {
   started_ = true;
   started_at_ = at;
   state_.time = at;
   state_.reg[isa::SP] = image_.stack_top;
   state_.reg[isa::FP] = image_.stack_top;
+  state_.reg[isa::USP] = image_.stack_top;
+  kernel_sp_ = image_.stack_top;
+  state_.reg[isa::SYSCFG] = how.system_config;
+  cycles_run_ = (how.system_config & kCycleCounterEnable) != 0;
+  events_.start(how.pending);
   current_ = block_at(image_.entry, 0);
   calls_.start(current_->function, at);
 }
 
 void Core::run(const Turn& turn) {
   turn_ = turn;
+  try {
+    run_blocks();
+  } catch (const Trap& trap) {
+    handle(trap);
+  }
+}
+
+void Core::run_blocks() {
   const Operation* operation = std::exchange(state_.retry, nullptr);
   if (operation == nullptr) {
-    if (events_.pending_event(state_.interrupt_mask) >= 0) {
-      take_interrupt();
-    }
+    take_due_events();
     operation = current_->operations.get();
     state_.next_address = current_->end;
   } else if (events_.pending_event(state_.interrupt_mask) >= 0) {
@@ -210,8 +235,8 @@ void Core::finish_block(Block& block) {
     }
   }
   current_ = successor(block, next, taken);
-  if (block.ends >= BlockEnd::call) {
-    note_call_or_return(block, next);
+  if (block.has_end_work) {
+    end_work(block, next, taken);
   }
 }
 
@@ -236,11 +261,7 @@ Block* Core::block_at(Address address, std::uint32_t state) {
   }
   std::unique_ptr<Block> block = builder_.build(address, state);
   if (block == nullptr) {
-    const std::string from =
-        current_ != nullptr ? " from " + place(current_->first_packet + current_->packet_count - 1)
-                            : "";
-    throw GuestFault(fmt::format("{}: jump to {:#010x}, where no instruction is{}", name_of(id_),
-                                 address, from));
+    throw Trap{.kind = Trap::Kind::fetch, .address = address};
   }
   blocks_.push_back(std::move(block));
   block_index_.emplace(key, blocks_.back().get());
@@ -262,10 +283,38 @@ bool Core::loop_back(const Block& block) {
   return false;
 }
 
+// What follows calls, returns, and jumps from the bottom of a loop.
+void Core::end_work(const Block& block, Address next, bool taken) {
+  if (block.may_end_loop && taken) {
+    count_down_loops(block);
+  }
+  note_call_or_return(block, next);
+}
+
+// Control leaves the bottom of a loop by a jump: the pass counts, but does not lead to the top.
+// What is called from there returns to where the pass would have led.
+void Core::count_down_loops(const Block& block) {
+  auto& reg = state_.reg;
+  if (block.ends == BlockEnd::call) {
+    for (const std::size_t loop : {std::size_t{1}, std::size_t{0}}) {
+      if (reg[isa::LC0 + loop] > 1 && reg[isa::LB0 + loop] == block.last_packet_address) {
+        reg[isa::RETS] = reg[isa::LT0 + loop];
+        break;
+      }
+    }
+  }
+  for (const std::size_t loop : {std::size_t{1}, std::size_t{0}}) {
+    if (reg[isa::LC0 + loop] != 0 && reg[isa::LB0 + loop] == block.last_packet_address &&
+        --reg[isa::LC0 + loop] != 0) {
+      break;
+    }
+  }
+}
+
 void Core::note_call_or_return(const Block& block, Address next) {
   switch (block.ends) {
     case BlockEnd::call:
-      calls_.call(current_->function, block.end, state_.time);
+      calls_.call(current_->function, state_.reg[isa::RETS], state_.time);
       break;
     case BlockEnd::ret:
       calls_.ret(next, state_.time);
@@ -276,23 +325,6 @@ void Core::note_call_or_return(const Block& block, Address next) {
     default:
       break;
   }
-}
-
-void Core::take_interrupt() {
-  const int event = events_.pending_event(state_.interrupt_mask);
-  const Address handler = events_.enter(event);
-  if (builder_.packet_at(handler) == BlockBuilder::kNoPacket) {
-    throw GuestFault(
-        fmt::format("{}: interrupt IVG{} at {}, but EVT{} holds {:#010x}, where no instruction is",
-                    name_of(id_), event, place(current_->first_packet), event, handler));
-  }
-  const Address back = current_->address;
-  state_.reg[isa::RETI] = back;
-  current_ = block_at(handler, 0);
-  calls_.enter_interrupt(current_->function, back, state_.time);
-  const Cycles entry = cycles_of(parameters_.interrupt_entry);
-  dynamic_[current_->first_packet][static_cast<std::size_t>(Cause::interrupt_entry)] += entry;
-  state_.time += entry;
 }
 
 void Core::shorten_turn(Cycles until) {
@@ -321,56 +353,6 @@ void Core::settle(Cycles at) {
   if (sleeping_ && at > state_.time) {
     dynamic_[idle_packet_][static_cast<std::size_t>(Cause::idle)] += at - state_.time;
     state_.time = at;
-  }
-}
-
-void Core::act(const Operation& operation, SystemAction action, std::uint32_t value) {
-  switch (action) {
-    case SystemAction::idle:
-      if (!wake_line_ && !events_.wants_attention(state_.interrupt_mask)) {
-        sleeping_ = true;
-        idle_packet_ = operation.site;
-        turn_.horizon = 0;
-      }
-      break;
-    case SystemAction::core_sync:
-    case SystemAction::disable_interrupts:
-      break;
-    case SystemAction::system_sync: {
-      const Cycles drained =
-          std::max(memory_.writes_drained_at(number_), port_.device_writes_drained_at(number_));
-      if (drained > now(operation)) {
-        add_stall(operation, Cause::device, drained - now(operation));
-      }
-      break;
-    }
-    case SystemAction::enable_interrupts:
-      turn_.horizon = 0;
-      break;
-    case SystemAction::raise:
-      events_.raise(static_cast<int>(value));
-      turn_.horizon = 0;
-      break;
-    case SystemAction::exception:
-      state_.reg[isa::SEQSTAT] = value;
-      state_.reg[isa::RETX] = state_.next_address;
-      state_.next_address = events_.enter(kExceptionEvent);
-      break;
-    case SystemAction::return_from_interrupt:
-    case SystemAction::return_from_exception:
-      if (!events_.leave()) {
-        fault(operation, "return from an event, but no handler is running");
-      }
-      turn_.horizon = 0;
-      break;
-    case SystemAction::loop_bottom:
-      if (builder_.add_loop_bottom(value)) {
-        block_index_.clear();
-        for (const auto& block : blocks_) {
-          block->exits = {};
-        }
-      }
-      break;
   }
 }
 

@@ -2,8 +2,9 @@
 //
 // Models: the instruction table's meanings; issue, interlocks, branches and hardware loops
 // (pipeline.hpp); stalls on L2, L3, device registers and instruction fetch; interrupts, taken
-// between blocks; IDLE. Does not model: caches, the store buffer within L1, speculation. Source:
-// hardware.md 1, 4; the way to speed: docs/architecture.md.
+// between blocks, and exceptions, taken between packets; user mode; IDLE; single steps. Does not
+// model: caches, protection, the store buffer within L1, speculation. Source: hardware.md 1, 4;
+// Programming Reference, chapters 3 and 4; the way to speed: docs/architecture.md.
 //
 // The core runs ahead on what is its own. What others can see or change (L2, L3, devices) it
 // touches only before the time `shared_until` of its turn, to which the machine knows that nobody
@@ -11,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -20,6 +22,7 @@
 #include <isa_sim/core/block_builder.hpp>
 #include <isa_sim/core/call_profile.hpp>
 #include <isa_sim/core/event_controller.hpp>
+#include <isa_sim/core/exception_cause.hpp>
 #include <isa_sim/core/profile.hpp>
 #include <isa_sim/core/system_port.hpp>
 #include <memory_model/memory_system.hpp>
@@ -34,6 +37,12 @@ class Core {
     Cycles shared_until = kNever;  // may act on shared things before this time
   };
 
+  // How a core starts.
+  struct Start {
+    std::uint32_t pending = EventController::kSupervisor;  // IPEND
+    std::uint32_t system_config = kCyclesRun;              // SYSCFG
+  };
+
   // All must outlive the core. `core_register_stall`: of an access to the event controller's
   // registers.
   Core(CoreId id, const ir::CoreImage& image, const CoreParameters& parameters,
@@ -41,9 +50,10 @@ class Core {
   Core(const Core&) = delete;
   Core& operator=(const Core&) = delete;
 
-  void start(Cycles at);
+  void start(Cycles at, const Start& how = {EventController::kSupervisor, kCyclesRun});
   [[nodiscard]] bool started() const { return started_; }
-  [[nodiscard]] bool sleeping() const { return sleeping_; }
+  // In IDLE, or its program has ended.
+  [[nodiscard]] bool sleeping() const { return sleeping_ || halted_; }
   // Where the core is: an access that waits for its turn is at this time.
   [[nodiscard]] Cycles time() const {
     return state_.retry != nullptr ? state_.time + state_.retry->cycle : state_.time;
@@ -69,9 +79,56 @@ class Core {
   [[nodiscard]] Block* successor(Block& block, Address next, bool refill);
   [[nodiscard]] bool loop_back(const Block& block);
   void finish_block(Block& block);
+  void end_work(const Block& block, Address next, bool taken);
   void note_call_or_return(const Block& block, Address next);
-  void take_interrupt();
+  void count_down_loops(const Block& block);
   void wake(Cycles at);
+  void run_blocks();
+
+  // Blocks that end early: core_traps.cpp.
+  struct Trap;
+  void handle(const Trap& trap);
+  void handle_fetch(const Trap& trap);
+  std::uint32_t cut_block(std::uint32_t end_packet, const isa::Operation* unfinished);
+  [[nodiscard]] Block* part_of(const Block& block, std::uint32_t packets);
+  void end_block_after(const isa::Operation& operation);
+  static const isa::Operation* stop_here(isa::ExecutionState& state,
+                                         const isa::Operation* operation);
+  static const isa::Operation* save_packet(isa::ExecutionState& state,
+                                           const isa::Operation* operation);
+  void uproot();
+  void undo_packet(std::uint32_t packet);
+  void forget_blocks();
+  // Ends the operation with an exception; where no handler is installed, the program with `what`.
+  [[noreturn]] void raise_exception(const isa::Operation& operation, int cause,
+                                    const std::string& what) const;
+
+  // Events: core_events.cpp.
+  void take_due_events();
+  void enter(int event, Address back);
+  void enter_exception(int cause, Address back);
+  void leave_event(const isa::Operation& operation, isa::SystemAction action);
+  void check_device_access(const isa::Operation& operation, Address address) const;
+  [[nodiscard]] std::uint8_t* no_memory(const isa::Operation& operation, const std::string& what);
+  void require_supervisor(const isa::Operation& operation, const char* what) const;
+  // An interrupt may have become due: it is taken after this packet.
+  void look_for_events(const isa::Operation& operation);
+  void raise(const isa::Operation& operation, int event);
+  void except(const isa::Operation& operation, int cause);
+  void set_hardware_error(std::uint32_t cause);
+  void configure(const isa::Operation& operation);
+  void choose_block_style(const isa::Operation& operation);
+  [[nodiscard]] Cycles cycle_count(const isa::Operation& operation) const {
+    return cycles_run_ ? now(operation) - cycle_base_ : cycle_base_;
+  }
+  void set_cycle_count(const isa::Operation& operation, Cycles count);
+
+  // Debug instructions: core_debug.cpp.
+  void debug(const isa::Operation& operation, isa::SystemAction action, std::uint32_t value);
+  [[noreturn]] void halt(const isa::Operation& operation, std::uint32_t status,
+                         const std::string& why);
+  [[nodiscard]] std::string register_text(const isa::Operation& operation, std::int32_t reg);
+
   void add_stall(const isa::Operation& operation, Cause cause, Cycles cycles);
   void add_far_bytes(const isa::Operation& operation, std::size_t where, int bytes) {
     far_bytes_[operation.site][where] += static_cast<Bytes>(bytes);
@@ -91,7 +148,7 @@ class Core {
     try {
       body();
     } catch (const GuestFault& problem) {
-      fault(operation, problem.what());
+      raise_exception(operation, kSupervisorResource, problem.what());
     }
   }
   void act(const isa::Operation& operation, isa::SystemAction action, std::uint32_t value);
@@ -120,6 +177,20 @@ class Core {
   bool started_ = false;
   bool sleeping_ = false;
   bool wake_line_ = false;
+  bool halted_ = false;
+  int exception_due_ = -1;     // by EXCPT: its code
+  bool step_due_ = false;      // the block that runs is a single step
+  bool single_step_ = false;   // SYSCFG.SSSTEP
+  Address kernel_sp_ = 0;      // the supervisor's SP while in user mode
+  bool cycles_run_ = true;     // SYSCFG.CCEN
+  Cycles cycle_base_ = 0;      // time when CYCLES was 0; while it stands still, its value
+  isa::ExecutionState saved_;  // before packet saved_packet_, which may have to be undone
+  std::uint32_t saved_packet_ = BlockBuilder::kNoPacket;
+  std::map<std::pair<const Block*, std::uint32_t>, Block*> parts_;  // beginnings of blocks
+  isa::Operation* planted_ = nullptr;  // where the block shall end, and what stood there
+  isa::Execute uprooted_ = nullptr;
+  std::map<std::uint32_t, Bytes> killed_bytes_;  // by packet: moved, but not completed
+  std::uint32_t nowhere_ = 0;                    // what an access to no memory moves
   std::uint32_t idle_packet_ = 0;
   Cycles started_at_ = 0;
   Turn turn_;

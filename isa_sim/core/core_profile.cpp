@@ -34,6 +34,9 @@ LevelBytes Core::bytes_of(std::uint32_t packet, std::uint64_t executions) const 
   for (std::size_t slot = 0; slot < placed.count; ++slot) {
     all += executions * access_bytes(placed.slots[slot]);
   }
+  if (const auto killed = killed_bytes_.find(packet); killed != killed_bytes_.end()) {
+    all += killed->second;
+  }
   if (state_.retry != nullptr) {
     for (const isa::Operation* o = current_->operations.get(); o != state_.retry; ++o) {
       all += o->site == packet ? o->access_bytes : 0;

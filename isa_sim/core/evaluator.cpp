@@ -4,6 +4,7 @@
 #include <common/error.hpp>
 #include <isa_sim/core/block_builder.hpp>
 #include <isa_sim/core/evaluator.hpp>
+#include <isa_sim/core/exception_cause.hpp>
 #include <isa_sim/core/pipeline.hpp>
 #include <isa_sim/core/placed.hpp>
 
@@ -38,6 +39,10 @@ struct Evaluator::Hooks {
   }
   static void system(ExecutionState& state, const Operation&, isa::SystemAction action,
                      std::uint32_t) {
+    if (action == isa::SystemAction::read_cycles) {
+      state.reg[isa::CYCLES] = static_cast<std::uint32_t>(state.time);
+      state.reg[isa::CYCLES2] = static_cast<std::uint32_t>(state.time >> 32);
+    }
     self(state).idle_ |= action == isa::SystemAction::idle;
   }
 };
@@ -54,6 +59,8 @@ Evaluator::Evaluator(int core, const ir::CoreImage& image, const CoreParameters&
   state_.engine = this;
   state_.reg[isa::SP] = image.stack_top;
   state_.reg[isa::FP] = image.stack_top;
+  state_.reg[isa::USP] = image.stack_top;
+  state_.reg[isa::SYSCFG] = kCyclesRun;
   state_.next_address = image.entry;
 }
 
@@ -104,6 +111,7 @@ void Evaluator::execute(const ir::PlacedPacket& packet) {
   for (const ir::PlacedInstruction* instruction : order) {
     ExecutionState copy = before;
     copy.next_address = fall_through;
+    copy.time = issue_at;
     Operation operation = operation_of(*instruction, packet);
     operation.window = no_window();
     operation.execute(copy, &operation);
@@ -122,15 +130,30 @@ void Evaluator::execute(const ir::PlacedPacket& packet) {
              flow == isa::Flow::ret) {
     end += cycles_of(parameters_.branch_taken) - 1;
   }
+  end_pass(packet, flow, taken);
+  next_issue_ = end;
+}
+
+// At the bottom of a loop: the pass counts, and leads to the top unless control goes elsewhere. A
+// call from there returns to the top.
+void Evaluator::end_pass(const ir::PlacedPacket& packet, isa::Flow flow, bool taken) {
   auto& reg = state_.reg;
+  const bool call = flow == isa::Flow::call || flow == isa::Flow::call_indirect;
+  const bool leaves = taken || call || flow == isa::Flow::jump ||
+                      flow == isa::Flow::jump_indirect || flow == isa::Flow::ret;
   for (const std::size_t loop : {std::size_t{1}, std::size_t{0}}) {
-    if (!taken && reg[isa::LC0 + loop] != 0 && reg[isa::LB0 + loop] == packet.address &&
-        --reg[isa::LC0 + loop] != 0) {
-      state_.next_address = reg[isa::LT0 + loop];
+    if (reg[isa::LC0 + loop] == 0 || reg[isa::LB0 + loop] != packet.address) {
+      continue;
+    }
+    if (--reg[isa::LC0 + loop] != 0) {
+      if (call) {
+        reg[isa::RETS] = reg[isa::LT0 + loop];
+      } else if (!leaves) {
+        state_.next_address = reg[isa::LT0 + loop];
+      }
       break;
     }
   }
-  next_issue_ = end;
 }
 
 void Evaluator::merge(const ExecutionState& before, const ExecutionState& after) {

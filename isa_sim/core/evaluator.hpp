@@ -32,6 +32,7 @@ class Evaluator {
   struct Hooks;
 
   void execute(const ir::PlacedPacket& packet);
+  void end_pass(const ir::PlacedPacket& packet, isa::Flow flow, bool taken);
   void merge(const isa::ExecutionState& before, const isa::ExecutionState& after);
   void stall_for_operands(const ir::PlacedInstruction& instruction, Cycles& issue_at) const;
   void note_results(const ir::PlacedInstruction& instruction, Cycles done);

@@ -1,7 +1,12 @@
-// What a core asks of the machine around it: device registers and the state of the peripheral bus.
+// What a core asks of the machine around it: device registers, the state of the peripheral bus, and
+// what programs ask of their host.
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include <common/units.hpp>
+#include <isa_sim/isa/operation.hpp>
 
 namespace finback::core {
 
@@ -21,6 +26,14 @@ class SystemPort {
                               Cycles now) = 0;
   // When the core's posted register writes have all arrived.
   [[nodiscard]] virtual Cycles device_writes_drained_at(int core) const = 0;
+
+  // The core's program prints.
+  virtual void print(int core, std::string_view text) = 0;
+  // The core's program ends with `status`. `why`: one line when something went wrong, else "".
+  virtual void halt(int core, std::uint32_t status, const std::string& why, Cycles now) = 0;
+  // EXCPT 0 with no handler: number and arguments are in the core's registers, the results go
+  // there. False when there is no such service.
+  virtual bool host_call(int core, isa::ExecutionState& state, Cycles now) = 0;
 };
 
 }  // namespace finback::core

@@ -52,13 +52,30 @@ enum class SystemAction : std::uint8_t {
   idle,
   core_sync,
   system_sync,
-  disable_interrupts,     // CLI; the mask was already saved and cleared
-  enable_interrupts,      // STI; the mask was already set
+  disable_interrupts,     // CLI; asked before the mask is saved and cleared
+  enable_interrupts,      // STI; asked before the mask is set to `value`
   raise,                  // value: the event's number
   exception,              // value: the code
-  return_from_interrupt,  // RTI; control was already sent to RETI
+  return_from_interrupt,  // RTI, RTX, RTN, RTE; control was already sent to the return address
   return_from_exception,
-  loop_bottom,  // LB0 or LB1 was written by a move; value: the address
+  return_from_nmi,
+  return_from_emulation,
+  loop_bottom,    // LB0 or LB1 was written by a move; value: the address
+  privileged,     // asked before a supervisor's register is read or written
+  configure,      // SYSCFG was written
+  read_cycles,    // CYCLES and CYCLES2 shall hold the time
+  write_cycles,   // value: the low word
+  write_cycles2,  // value: the high word
+  saved_return,   // RETI was pushed: interrupts are let in
+  loaded_return,  // RETI was popped: they are held back
+  // The instructions of table_debug.cpp.
+  assertion_failed,  // operands: register, expected half; value: kHighHalf or 0
+  print_register,    // value: its number, A0 and A1 among them
+  print_registers,
+  print_halves,     // value: a data register's number
+  print_character,  // value: 0..255
+  halt,             // value: the program's exit status
+  emulation,        // EMUEXCPT
 };
 
 // The engine's side of memory and control; set once per core.

@@ -64,29 +64,43 @@ inline void set_high(ExecutionState& s, std::int32_t operand, std::uint16_t valu
   set_half(s, register_of(operand) | kHighHalf, value);
 }
 
+inline void system(ExecutionState& s, const Operation& o, SystemAction action,
+                   std::uint32_t value = 0) {
+  s.hooks->system(s, o, action, value);
+}
+
 // A register of the kind `any`: parts of the accumulators, ASTAT and the cycle counter are gathered
-// when read and taken apart when written. A write that moves a loop's bottom tells the engine.
+// when read and taken apart when written. The engine is asked where a register is the supervisor's
+// and told of writes that change what it does. Throws before anything is changed.
 [[nodiscard]] inline std::uint32_t read_any(ExecutionState& s, const Operation& o,
                                             std::int32_t number) {
   switch (number) {
     case ASTAT:
       return s.astat();
     case CYCLES:
-      s.reg[CYCLES2] = static_cast<std::uint32_t>((s.time + o.cycle) >> 32);
-      return static_cast<std::uint32_t>(s.time + o.cycle);
+      system(s, o, SystemAction::read_cycles);
+      return s.reg[CYCLES];
     case A0X:
     case A1X:
       return static_cast<std::uint32_t>(s.accumulator[number == A1X] >> 32);
     case A0W:
     case A1W:
       return static_cast<std::uint32_t>(s.accumulator[number == A1W]);
+    case USP:
+    case SEQSTAT:
+    case SYSCFG:
+    case RETI:
+    case RETX:
+    case RETN:
+    case RETE:
+      system(s, o, SystemAction::privileged);
+      return reg(s, number);
     default:
       return reg(s, number);
   }
 }
 inline void write_any(ExecutionState& s, const Operation& o, std::int32_t number,
                       std::uint32_t value) {
-  reg(s, number) = value;
   switch (number) {
     case ASTAT:
       s.set_astat(value);
@@ -104,11 +118,39 @@ inline void write_any(ExecutionState& s, const Operation& o, std::int32_t number
       a = (a & ~std::int64_t{0xffffffff}) | std::int64_t{value};
       break;
     }
+    case LT0:
+    case LT1:
+      reg(s, number) = value & ~1U;  // the lowest bit is always 0
+      break;
     case LB0:
     case LB1:
-      s.hooks->system(s, o, SystemAction::loop_bottom, value);
+      reg(s, number) = value;
+      system(s, o, SystemAction::loop_bottom, value);
+      break;
+    case CYCLES:
+      system(s, o, SystemAction::write_cycles, value);
+      break;
+    case CYCLES2:
+      system(s, o, SystemAction::write_cycles2, value);
+      break;
+    case SEQSTAT:
+      system(s, o, SystemAction::privileged);  // read-only: the value is lost
+      break;
+    case SYSCFG:
+      system(s, o, SystemAction::privileged);
+      reg(s, number) = value;
+      system(s, o, SystemAction::configure);
+      break;
+    case USP:
+    case RETI:
+    case RETX:
+    case RETN:
+    case RETE:
+      system(s, o, SystemAction::privileged);
+      reg(s, number) = value;
       break;
     default:
+      reg(s, number) = value;
       break;
   }
 }
@@ -374,14 +416,6 @@ const Operation* store(ExecutionState& s, const Operation* o) {
   }
   advance_base<walk, sizeof(T)>(s, *o, 0);
   return o + 1;
-}
-
-// ---- control
-// -----------------------------------------------------------------------------------------------------
-
-inline void system(ExecutionState& s, const Operation& o, SystemAction action,
-                   std::uint32_t value = 0) {
-  s.hooks->system(s, o, action, value);
 }
 
 }  // namespace finback::isa

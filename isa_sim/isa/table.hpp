@@ -18,5 +18,6 @@ namespace finback::isa {
 [[nodiscard]] std::span<const Instruction> video_instructions();
 [[nodiscard]] std::span<const Instruction> shift_instructions();
 [[nodiscard]] std::span<const Instruction> control_instructions();
+[[nodiscard]] std::span<const Instruction> debug_instructions();
 
 }  // namespace finback::isa

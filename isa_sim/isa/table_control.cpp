@@ -31,6 +31,9 @@ constexpr Instruction event_form(std::string_view syntax, Issue issue, Flow flow
           .meaning = meaning};
 }
 
+// IMASK's bits that always read as 1.
+constexpr u32 kUnmaskable = 0x1f;
+
 constexpr auto kJump = [](ExecutionState& s, const Operation& o) {
   s.next_address = static_cast<Address>(o[0]);
 };
@@ -63,6 +66,11 @@ constexpr auto kLoopSetupPlain = [](ExecutionState& s, const Operation& o) {
   s.reg[LT0 + loop] = static_cast<u32>(o[0]);
   s.reg[LB0 + loop] = static_cast<u32>(o[1]);
 };
+template <Register from, SystemAction action>
+constexpr auto kReturn = [](ExecutionState& s, const Operation& o) {
+  s.next_address = s.reg[from];
+  system(s, o, action);
+};
 template <SystemAction action>
 constexpr auto kSystem = [](ExecutionState& s, const Operation& o) { system(s, o, action, 0); };
 
@@ -84,17 +92,16 @@ constexpr Instruction kTable[] = {
     flow_form("RTS", 2, Flow::ret, kReadsRets,
               ending<[](ExecutionState& s, const Operation&) { s.next_address = s.reg[RETS]; }>),
     flow_form("RTI", 2, Flow::ret_event, kNothing,
-              ending<[](ExecutionState& s, const Operation& o) {
-                s.next_address = s.reg[RETI];
-                system(s, o, SystemAction::return_from_interrupt);
-              }>,
+              ending<kReturn<RETI, SystemAction::return_from_interrupt>>,
               "return from an interrupt"),
     flow_form("RTX", 2, Flow::ret_event, kNothing,
-              ending<[](ExecutionState& s, const Operation& o) {
-                s.next_address = s.reg[RETX];
-                system(s, o, SystemAction::return_from_exception);
-              }>,
+              ending<kReturn<RETX, SystemAction::return_from_exception>>,
               "return from an exception"),
+    flow_form("RTN", 2, Flow::ret_event, kNothing,
+              ending<kReturn<RETN, SystemAction::return_from_nmi>>,
+              "return from a non-maskable interrupt"),
+    flow_form("RTE", 2, Flow::ret_event, kNothing,
+              ending<kReturn<RETE, SystemAction::return_from_emulation>>, "return from emulation"),
 
     flow_form("LSETUP ({ltop}, {lbottom}) LC0 = {P@}", 4, Flow::loop_setup, kNothing,
               plain<kLoopSetup<0, 0>>),
@@ -116,15 +123,15 @@ constexpr Instruction kTable[] = {
     event_form("SSYNC", Issue::system_sync, Flow::event, ending<kSystem<SystemAction::system_sync>>,
                "wait until the system's pending writes are done"),
     event_form("CLI {D!}", Issue::one, Flow::none, plain<[](ExecutionState& s, const Operation& o) {
-                 reg(s, o[0]) = s.interrupt_mask;
-                 s.interrupt_mask = 0;
                  system(s, o, SystemAction::disable_interrupts);
+                 reg(s, o[0]) = s.interrupt_mask | kUnmaskable;
+                 s.interrupt_mask = 0;
                }>,
                "save and clear the interrupt mask"),
     event_form("STI {D}", Issue::event, Flow::event,
                ending<[](ExecutionState& s, const Operation& o) {
-                 s.interrupt_mask = reg(s, o[0]);
                  system(s, o, SystemAction::enable_interrupts);
+                 s.interrupt_mask = reg(s, o[0]) & ~kUnmaskable & 0xffff;
                }>,
                "set the interrupt mask"),
     event_form("RAISE {uimm4}", Issue::event, Flow::event,

@@ -71,6 +71,9 @@ const Operation* push(ExecutionState& s, const Operation* o) {
     return nullptr;
   }
   s.reg[SP] -= 4;
+  if ((*o)[0] == RETI) {
+    system(s, *o, SystemAction::saved_return);
+  }
   return o + 1;
 }
 const Operation* pop(ExecutionState& s, const Operation* o) {
@@ -78,8 +81,12 @@ const Operation* pop(ExecutionState& s, const Operation* o) {
   if (!read_memory(s, *o, s.reg[SP], value)) {
     return nullptr;
   }
-  s.reg[SP] += 4;
+  const Address next = s.reg[SP] + 4;
   write_any(s, *o, (*o)[0], value);
+  s.reg[SP] = next;
+  if ((*o)[0] == RETI) {
+    system(s, *o, SystemAction::loaded_return);
+  }
   return o + 1;
 }
 

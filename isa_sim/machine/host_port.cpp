@@ -168,6 +168,12 @@ void HostPort::publish(std::uint32_t frame_number, Cycles now) {
   }
 }
 
+void HostPort::print(std::string_view text) {
+  for (const char character : text) {
+    print(character);
+  }
+}
+
 void HostPort::print(char character) {
   if (character == '\n') {
     if (console_) {

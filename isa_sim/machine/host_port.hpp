@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <common/units.hpp>
@@ -78,6 +79,8 @@ class HostPort {
     exit_ = std::move(exit);
   }
 
+  // Prints as if by CONSOLE, character by character.
+  void print(std::string_view text);
   // Delivers a console line that has no end yet; for who stops the machine otherwise.
   void flush_line();
 

@@ -76,7 +76,7 @@ class Machine::Implementation final : public core::SystemPort {
       core->register_counters(counters_);
     }
     bus_.host().set_exit([this](std::uint32_t status, Cycles at) {
-      exit_ = StopInfo{Stop::exited, status, at};
+      exit_ = StopInfo{Stop::exited, status, at, {}};
       running_->shorten_turn(0);
     });
     core_at(0).start(0);
@@ -97,6 +97,13 @@ class Machine::Implementation final : public core::SystemPort {
     return bus_.writes_drained_at(core);
   }
 
+  void print(int, std::string_view text) override { bus_.host().print(text); }
+  void halt(int, std::uint32_t status, const std::string& why, Cycles now) override {
+    bus_.host().flush_line();
+    exit_ = StopInfo{Stop::exited, status, now, why};
+  }
+  bool host_call(int, isa::ExecutionState&, Cycles) override { return false; }
+
   StopInfo run(const RunLimits& limits) {
     Cycles next_question = 0;
     for (;;) {
@@ -106,15 +113,15 @@ class Machine::Implementation final : public core::SystemPort {
       core::Core* runner = earliest_core();
       const Cycles event = bus_.next_event_time();
       if (runner == nullptr && event == kNever) {
-        return stopped({Stop::deadlock, 0, latest_time()});
+        return stopped({Stop::deadlock, 0, latest_time(), {}});
       }
       const Cycles now = runner == nullptr ? event : std::min(runner->time(), event);
       if (now >= limits.cycles) {
-        return stopped({Stop::cycle_limit, 0, limits.cycles});
+        return stopped({Stop::cycle_limit, 0, limits.cycles, {}});
       }
       if (limits.cancelled && now >= next_question) {
         if (limits.cancelled(now)) {
-          return stopped({Stop::cancelled, 0, now});
+          return stopped({Stop::cancelled, 0, now, {}});
         }
         next_question = now + tick_;
       }

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 #include <common/counters.hpp>
 #include <common/units.hpp>
@@ -28,7 +29,7 @@ class HostPort;
 struct MachineDescription;
 
 enum class Stop : std::uint8_t {
-  exited,       // the firmware wrote the host port's EXIT register
+  exited,       // the program ended itself: the host port's EXIT register, HLT, a failed assertion
   cycle_limit,  // RunLimits::cycles were reached
   cancelled,    // RunLimits::cancelled answered true
   deadlock,     // both cores sleep and nothing is going to wake them
@@ -45,6 +46,7 @@ struct StopInfo {
   Stop reason = Stop::exited;
   std::uint32_t exit_status = 0;
   Cycles time = 0;
+  std::string message = {};  // why a program that ended itself did, where something went wrong
 };
 
 class Machine {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <isa_sim/core/core.hpp>
@@ -33,10 +34,10 @@ class CoreHarness : public SystemPort {
     }
   }
 
-  // Runs to IDLE; returns the cycles it took.
-  Cycles run() {
+  // Runs to IDLE or the program's end; returns the cycles it took.
+  Cycles run(const Core::Start& how = {EventController::kSupervisor, kCyclesRun}) {
     core_ = std::make_unique<Core>(CoreId::a, image_.cores[0], parameters_, 1, *memory_, *this);
-    core_->start(0);
+    core_->start(0, how);
     while (!core_->sleeping()) {
       core_->run({});
     }
@@ -60,8 +61,22 @@ class CoreHarness : public SystemPort {
   Read device_read(int, Address, int, Cycles) override { return {}; }
   Cycles device_write(int, Address, int, std::uint32_t, Cycles) override { return 0; }
   [[nodiscard]] Cycles device_writes_drained_at(int) const override { return 0; }
+  void print(int, std::string_view text) override { printed_ += text; }
+  void halt(int, std::uint32_t status, const std::string& why, Cycles) override {
+    exit_status_ = status;
+    why_ = why;
+  }
+  bool host_call(int, isa::ExecutionState&, Cycles) override { return false; }
+
+  // What the program printed, and how it ended itself.
+  [[nodiscard]] const std::string& printed() const { return printed_; }
+  [[nodiscard]] std::optional<std::uint32_t> exit_status() const { return exit_status_; }
+  [[nodiscard]] const std::string& why() const { return why_; }
 
  private:
+  std::string printed_;
+  std::optional<std::uint32_t> exit_status_;
+  std::string why_;
   CoreParameters parameters_;
   memory::MemoryParameters memory_parameters_;
   memory::ClockParameters clock_;

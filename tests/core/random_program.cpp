@@ -62,7 +62,7 @@ class Generator {
     const std::uint32_t kFrames = isa::kReadsSp | isa::kWritesSp | isa::kReadsFp | isa::kWritesFp;
     if (info.flow != isa::Flow::none || (info.implicit & kFrames) != 0 ||
         info.memory == MemoryUse::load_store || info.syntax.starts_with("CLI") ||
-        info.syntax.starts_with("CSYNC")) {
+        info.syntax.starts_with("CSYNC") || info.syntax.starts_with("DBG")) {
       return false;
     }
     for (const isa::OperandRole& role : isa::roles_of(index)) {
