@@ -2,7 +2,9 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <cli/commands.hpp>
@@ -12,6 +14,7 @@
 #include <isa_sim/isa/operation.hpp>
 #include <isa_sim/machine/host_port.hpp>
 #include <isa_sim/machine/machine.hpp>
+#include <isa_sim/machine/program_host.hpp>
 #include <runner/program_request.hpp>
 
 namespace finback::cli {
@@ -29,6 +32,8 @@ struct Options {
   std::vector<std::string> files;
   std::vector<std::string> core_b;
   std::vector<std::string> include_folders;
+  std::vector<std::string> arguments;  // of the program
+  std::string files_folder;            // that the program may open files in; "": none
   runner::ProgramRequest request;
   std::string environment = "user";
   std::uint64_t max_cycles = 0;
@@ -53,6 +58,18 @@ void print_registers(const isa::ExecutionState& state) {
   fmt::print("{}", column % kColumns == 0 ? "" : "\n");
 }
 
+// argv of the program: the first file's name, then --argument's.
+std::vector<std::string> program_arguments(const Options& options) {
+  std::vector<std::string> arguments = options.arguments;
+  arguments.insert(arguments.begin(), options.files.front());
+  return arguments;
+}
+
+void write_stream(int stream, std::string_view text) {
+  std::FILE* out = stream == 2 ? stderr : stdout;
+  std::fwrite(text.data(), 1, text.size(), out);
+}
+
 int run(const Options& options) {
   catch_interrupts();
   runner::ProgramRequest request = options.request;
@@ -65,8 +82,16 @@ int run(const Options& options) {
   const runner::LoadedProgram program = runner::load_program(request);
   const ir::Image image =
       ir::link(program.firmware.units, program.firmware.placement, program.machine->map);
-  machine::Machine machine(*program.machine, image);
+  machine::Machine machine(
+      *program.machine, image,
+      options.environment == "chip" ? machine::Begin::reset : machine::Begin::program);
   machine.host().set_console([](const std::string& line) { fmt::print("{}\n", line); });
+  machine.serve_programs({.arguments = program_arguments(options),
+                          .folder = options.files_folder,
+                          .output = write_stream,
+                          .input = [](std::span<std::uint8_t> bytes) {
+                            return std::fread(bytes.data(), 1, bytes.size(), stdin);
+                          }});
 
   machine::RunLimits limits;
   limits.cycles = options.max_cycles == 0 ? kNever : options.max_cycles;
@@ -79,6 +104,9 @@ int run(const Options& options) {
   std::fflush(stdout);
   switch (stop.reason) {
     case machine::Stop::exited:
+      if (!stop.message.empty()) {
+        fmt::print(stderr, "finback: {}\n", stop.message);
+      }
       return static_cast<int>(stop.exit_status & 0xff);
     case machine::Stop::cycle_limit:
       fmt::print(stderr, "finback: the program has not ended after {} cycles (--max-cycles)\n",
@@ -120,6 +148,14 @@ void add_exec_command(CLI::App& app, Action& action) {
       ->type_name("NAME=NUMBER")
       ->allow_extra_args(false);
   command->add_option("--entry", options->request.entry, "The symbol to begin at");
+  command
+      ->add_option("--files", options->files_folder,
+                   "The folder below which the program may open files (default: none)")
+      ->type_name("DIR")
+      ->check(CLI::ExistingDirectory);
+  command->add_option("--argument", options->arguments, "An argument of the program; repeatable")
+      ->type_name("TEXT")
+      ->allow_extra_args(false);
   command->add_option("--max-cycles", options->max_cycles, "End the program after so many cycles")
       ->check(CLI::PositiveNumber);
   command->add_flag("--dump-registers", options->dump_registers, "Print the registers at the end");

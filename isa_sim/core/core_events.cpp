@@ -183,11 +183,13 @@ void Core::except(const Operation& operation, int cause) {
   if (wait_for_turn(operation)) {
     return;
   }
-  if (cause != 0 || !port_.host_call(number_, state_, now(operation))) {
+  const SystemPort::HostCall call =
+      cause == 0 ? port_.host_call(number_, state_, now(operation)) : SystemPort::HostCall::none;
+  if (call == SystemPort::HostCall::none) {
     fault(operation,
           fmt::format("EXCPT {}, but EVT3 is 0: no exception handler is installed", cause));
   }
-  if (halted_) {
+  if (call == SystemPort::HostCall::ended) {
     throw Trap{.kind = Trap::Kind::halted, .operation = &operation};
   }
 }

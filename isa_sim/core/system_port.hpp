@@ -2,6 +2,7 @@
 // what programs ask of their host.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -32,8 +33,9 @@ class SystemPort {
   // The core's program ends with `status`. `why`: one line when something went wrong, else "".
   virtual void halt(int core, std::uint32_t status, const std::string& why, Cycles now) = 0;
   // EXCPT 0 with no handler: number and arguments are in the core's registers, the results go
-  // there. False when there is no such service.
-  virtual bool host_call(int core, isa::ExecutionState& state, Cycles now) = 0;
+  // there.
+  enum class HostCall : std::uint8_t { none, done, ended };  // no host serves it; the program ended
+  virtual HostCall host_call(int core, isa::ExecutionState& state, Cycles now) = 0;
 };
 
 }  // namespace finback::core

@@ -9,6 +9,7 @@
 #include <isa_sim/machine/device_bus.hpp>
 #include <isa_sim/machine/machine.hpp>
 #include <isa_sim/machine/machine_description.hpp>
+#include <isa_sim/machine/program_host.hpp>
 
 namespace finback::machine {
 
@@ -40,8 +41,9 @@ std::vector<memory::ObjectPlace> places_of(const ir::Image& image, const memory:
 
 class Machine::Implementation final : public core::SystemPort {
  public:
-  Implementation(const MachineDescription& description, const ir::Image& image)
+  Implementation(const MachineDescription& description, const ir::Image& image, Begin begin)
       : image_(image),
+        core_hertz_(description.clock.cclk_mhz * 1e6),
         lookahead_(static_cast<Cycles>(std::int64_t{description.devices.intercore_latency})),
         tick_(static_cast<Cycles>(std::llround(description.clock.cclk_mhz * 1000))),
         memory_(description.map, description.memory, description.clock,
@@ -79,7 +81,10 @@ class Machine::Implementation final : public core::SystemPort {
       exit_ = StopInfo{Stop::exited, status, at, {}};
       running_->shorten_turn(0);
     });
-    core_at(0).start(0);
+    core_at(0).start(
+        0, begin == Begin::reset
+               ? core::Core::Start{core::EventController::kAfterReset, core::kConfigAfterReset}
+               : core::Core::Start{core::EventController::kSupervisor, core::kCyclesRun});
   }
 
   Read device_read(int core, Address address, int bytes, Cycles now) override {
@@ -97,12 +102,31 @@ class Machine::Implementation final : public core::SystemPort {
     return bus_.writes_drained_at(core);
   }
 
-  void print(int, std::string_view text) override { bus_.host().print(text); }
+  void print(int, std::string_view text) override {
+    if (program_host_) {
+      program_host_->print(text);
+    } else {
+      bus_.host().print(text);
+    }
+  }
   void halt(int, std::uint32_t status, const std::string& why, Cycles now) override {
     bus_.host().flush_line();
     exit_ = StopInfo{Stop::exited, status, now, why};
   }
-  bool host_call(int, isa::ExecutionState&, Cycles) override { return false; }
+  HostCall host_call(int, isa::ExecutionState& state, Cycles now) override {
+    if (!program_host_) {
+      return HostCall::none;
+    }
+    const auto status = program_host_->call(state, now);
+    if (status) {
+      exit_ = StopInfo{Stop::exited, *status, now, {}};
+    }
+    return status ? HostCall::ended : HostCall::done;
+  }
+  void serve_programs(ProgramHostOptions options) {
+    options.core_hertz = core_hertz_;
+    program_host_ = std::make_unique<ProgramHost>(std::move(options), memory_);
+  }
 
   StopInfo run(const RunLimits& limits) {
     Cycles next_question = 0;
@@ -194,6 +218,8 @@ class Machine::Implementation final : public core::SystemPort {
   }
 
   const ir::Image& image_;
+  double core_hertz_;
+  std::unique_ptr<ProgramHost> program_host_;
   Cycles lookahead_;
   Cycles tick_;  // a millisecond
   memory::MemorySystem memory_;
@@ -204,10 +230,13 @@ class Machine::Implementation final : public core::SystemPort {
   core::Core* running_ = nullptr;
 };
 
-Machine::Machine(const MachineDescription& description, const ir::Image& image)
-    : implementation_(std::make_unique<Implementation>(description, image)) {}
+Machine::Machine(const MachineDescription& description, const ir::Image& image, Begin begin)
+    : implementation_(std::make_unique<Implementation>(description, image, begin)) {}
 Machine::~Machine() = default;
 
+void Machine::serve_programs(ProgramHostOptions options) {
+  implementation_->serve_programs(std::move(options));
+}
 HostPort& Machine::host() { return implementation_->host(); }
 memory::MemorySystem& Machine::memory() { return implementation_->memory(); }
 StopInfo Machine::run(const RunLimits& limits) { return implementation_->run(limits); }

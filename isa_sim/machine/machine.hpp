@@ -26,6 +26,7 @@ class MemorySystem;
 namespace finback::machine {
 
 class HostPort;
+struct ProgramHostOptions;
 struct MachineDescription;
 
 enum class Stop : std::uint8_t {
@@ -49,15 +50,26 @@ struct StopInfo {
   std::string message = {};  // why a program that ended itself did, where something went wrong
 };
 
+// How core A begins.
+enum class Begin : std::uint8_t {
+  program,  // as a boot loader starts a program: supervisor at IVG15, which any interrupt
+            // interrupts
+  reset,    // as the chip comes out of reset: interrupts held back, exceptions are double faults
+};
+
 class Machine {
  public:
   // Both must outlive the machine. The image's initial data is loaded.
-  Machine(const MachineDescription& description, const ir::Image& image);
+  Machine(const MachineDescription& description, const ir::Image& image,
+          Begin begin = Begin::program);
   ~Machine();
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
 
   [[nodiscard]] HostPort& host();
+  // Serves the programs' EXCPT 0 and gets what they print by debug instructions (which is lines of
+  // the host port's console otherwise).
+  void serve_programs(ProgramHostOptions options);
   [[nodiscard]] memory::MemorySystem& memory();
 
   // Runs until something of `Stop` happens; may be called again after cycle_limit. Throws

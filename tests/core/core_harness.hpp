@@ -66,7 +66,7 @@ class CoreHarness : public SystemPort {
     exit_status_ = status;
     why_ = why;
   }
-  bool host_call(int, isa::ExecutionState&, Cycles) override { return false; }
+  HostCall host_call(int, isa::ExecutionState&, Cycles) override { return HostCall::none; }
 
   // What the program printed, and how it ended itself.
   [[nodiscard]] const std::string& printed() const { return printed_; }
