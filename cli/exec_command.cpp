@@ -107,6 +107,9 @@ int run(const Options& options) {
       if (!stop.message.empty()) {
         fmt::print(stderr, "finback: {}\n", stop.message);
       }
+      if (!stop.message.empty()) {
+        fmt::print(stderr, "finback: {}\n", stop.message);
+      }
       return static_cast<int>(stop.exit_status & 0xff);
     case machine::Stop::cycle_limit:
       fmt::print(stderr, "finback: the program has not ended after {} cycles (--max-cycles)\n",

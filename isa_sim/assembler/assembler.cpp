@@ -118,7 +118,7 @@ ir::Program Assembler::run(std::string_view text, const std::string& file) {
   program_.path = file;
   program_.source_files.emplace_back();
   sections_.clear();
-  enter_section(".text", {});
+  enter_section(".text");
   define_constants();
   push_file(std::string(text), file, path);
   read_all();

@@ -104,6 +104,7 @@ class Assembler : private ExpressionReader::Names {
   std::size_t fold_one(std::span<const isa::Token> tokens, std::size_t position, Folded& folded);
   std::optional<ir::ParsedInstruction> match(Folded& folded);
   std::optional<ir::ParsedInstruction> match_later(Folded& folded);
+  std::optional<ir::ParsedInstruction> match_distance(const Folded& folded);
   [[nodiscard]] bool read_loop(const std::vector<isa::Token>& tokens, const Statement& statement);
   void emit(ir::Packet packet, const Statement& statement);
   void finish_operands();
@@ -168,7 +169,7 @@ class Assembler : private ExpressionReader::Names {
   void read_pop_section(Directive& directive);
   void read_previous(Directive& directive);
   std::string take_section_name(Directive& directive);
-  void enter_section(const std::string& name, const Statement& statement);
+  void enter_section(const std::string& name);
   [[nodiscard]] Section& section() { return sections_[current_section_]; }
   void read_file(Directive& directive);
   void read_line(Directive& directive);

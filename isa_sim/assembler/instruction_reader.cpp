@@ -1,6 +1,7 @@
 // Instructions: gathering their tokens, folding expressions to what the instruction table reads,
 // and operands that are known only at the end of the file.
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <limits>
 
@@ -189,6 +190,7 @@ std::size_t Assembler::fold_one(std::span<const Token> tokens, std::size_t posit
                      (tokens[end - 1].kind == TokenKind::number || (joins && value.is_number()));
   if (expression == nullptr || plain) {
     folded.tokens.push_back(first);
+    folded.tokens.back().number = as_operand(first.number);
     return position + 1;
   }
   Token token = first;
@@ -239,7 +241,35 @@ std::optional<ir::ParsedInstruction> Assembler::match(Folded& folded) {
     }
     return parsed;
   }
-  return folded.later.empty() ? std::nullopt : match_later(folded);
+  return folded.later.empty() ? match_distance(folded) : match_later(folded);
+}
+
+// `JUMP 4`: a number where a place in the code is wanted is the distance to it.
+std::optional<ir::ParsedInstruction> Assembler::match_distance(const Folded& folded) {
+  static constexpr std::array<std::string_view, 5> kBranches = {"jump", "call", "if", "lsetup",
+                                                                "loop"};
+  const std::string word = folded.tokens.empty() ? "" : lower_case(folded.tokens[0].text);
+  if (std::ranges::count(kBranches, word.substr(0, word.find('.'))) == 0) {
+    return std::nullopt;
+  }
+  std::vector<Token> tokens;
+  for (const Token& token : folded.tokens) {
+    tokens.push_back(token);
+    if (token.kind != TokenKind::number) {
+      continue;
+    }
+    Symbol& here = symbols_.unnamed();
+    define_label(here, *statement_, token.text, section().location());
+    Token distance = token;
+    tokens.back().kind = TokenKind::name;
+    tokens.back().text = here.name;
+    tokens.push_back(tokens.back());
+    tokens.back().kind = TokenKind::sign;
+    tokens.back().text = token.number < 0 ? "-" : "+";
+    distance.number = token.number < 0 ? -token.number : token.number;
+    tokens.push_back(distance);
+  }
+  return syntax_.match(tokens);
 }
 
 // As if what is not known were a number: a large one, since its form must hold whatever comes.
@@ -401,7 +431,9 @@ void Assembler::finish_operands() {
     if (!value.problem.empty()) {
       throw InputError(later.place, value.problem + later.context);
     }
-    const bool wants_address = isa::is_code_address(kind) || kind == isa::OperandKind::any16;
+    const bool wants_address = isa::is_code_address(kind) || kind == isa::OperandKind::any16 ||
+                               kind == isa::OperandKind::imm16 ||
+                               kind == isa::OperandKind::uimm16;  // its low half
     if (value.is_address()) {
       if (!wants_address) {
         throw InputError(later.place, fmt::format("{} is no number of this file{}",

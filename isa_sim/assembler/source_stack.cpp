@@ -14,15 +14,17 @@ std::size_t end_of_statement(std::string_view text, std::size_t position) {
   return std::min(position, text.size());
 }
 
-SourceStack::Frame& SourceStack::push_frame(Kind kind, const std::string& name,
-                                            std::size_t conditionals) {
-  if (frames_.size() >= kDeepest) {
-    fail(current_, fmt::format("macros, repetitions and included files nest more than {} deep: "
-                               "does one call itself without end?",
-                               kDeepest));
+SourceStack::Frame& SourceStack::push_frame(Kind kind, std::shared_ptr<const SourceText> text,
+                                            const std::string& name, std::size_t conditionals) {
+  bytes_ += text->text().size();
+  if (frames_.size() >= kDeepest || bytes_ > kLongestTogether) {
+    fail(current_, fmt::format("macros, repetitions and included files nest more than {} deep, or "
+                               "have more than {} MB together: does one call itself without end?",
+                               kDeepest, kLongestTogether >> 20));
   }
   Frame frame;
   frame.kind = kind;
+  frame.text = std::move(text);
   frame.name = name;
   frame.conditionals = conditionals;
   if (!frames_.empty()) {
@@ -34,15 +36,13 @@ SourceStack::Frame& SourceStack::push_frame(Kind kind, const std::string& name,
 
 void SourceStack::push(Kind kind, std::shared_ptr<const SourceText> text, const std::string& name,
                        std::size_t conditionals) {
-  push_frame(kind, name, conditionals).text = std::move(text);
+  push_frame(kind, std::move(text), name, conditionals);
 }
 
 void SourceStack::push_repetition(NextText next, std::size_t conditionals) {
   std::shared_ptr<const SourceText> first = next();
   if (first != nullptr) {
-    Frame& frame = push_frame(Kind::repetition, "", conditionals);
-    frame.text = std::move(first);
-    frame.next = std::move(next);
+    push_frame(Kind::repetition, std::move(first), "", conditionals).next = std::move(next);
   }
 }
 
@@ -80,12 +80,24 @@ void SourceStack::end_text() {
       if (++statements_ > kMostStatements) {
         fail(frame.called_at, "this repetition does not end");
       }
+      bytes_ += again->text().size() - frame.text->text().size();
       frame.text = std::move(again);
       frame.position = 0;
       return;
     }
   }
+  pop_frame();
+}
+
+void SourceStack::pop_frame() {
+  bytes_ -= frames_.back().text->text().size();
   frames_.pop_back();
+}
+
+void SourceStack::leave_all() {
+  while (!frames_.empty()) {
+    pop_frame();
+  }
 }
 
 bool SourceStack::leave_macro(std::size_t& conditionals) {
@@ -95,7 +107,9 @@ bool SourceStack::leave_macro(std::size_t& conditionals) {
     return false;
   }
   conditionals = macro->conditionals;
-  frames_.erase(std::prev(macro.base()), frames_.end());
+  for (auto left = macro - frames_.rbegin(); left >= 0; --left) {
+    pop_frame();
+  }
   return true;
 }
 

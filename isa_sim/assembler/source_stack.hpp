@@ -27,7 +27,8 @@ class SourceStack {
  public:
   static constexpr std::size_t kDeepest = 200;
   static constexpr std::uint64_t kMostStatements = 4'000'000;
-  static constexpr std::size_t kLongestExpansion = 1 << 20;  // bytes
+  static constexpr std::size_t kLongestExpansion = 16 << 20;  // bytes
+  static constexpr std::size_t kLongestTogether = 64 << 20;   // of texts that nest
 
   enum class Kind : std::uint8_t { file, macro, repetition };
 
@@ -50,7 +51,7 @@ class SourceStack {
   [[nodiscard]] bool leave_macro(std::size_t& conditionals);
   // How many conditionals were open when the innermost text began.
   [[nodiscard]] std::size_t conditionals() const { return frames_.back().conditionals; }
-  void leave_all() { frames_.clear(); }
+  void leave_all();
 
   // The text behind the last statement, for bodies and incomplete instructions; and going on
   // elsewhere in it.
@@ -80,10 +81,13 @@ class SourceStack {
     NextText next;
   };
 
-  Frame& push_frame(Kind kind, const std::string& name, std::size_t conditionals);
+  Frame& push_frame(Kind kind, std::shared_ptr<const SourceText> text, const std::string& name,
+                    std::size_t conditionals);
+  void pop_frame();
 
   std::vector<Frame> frames_;
-  SourcePlace current_;  // of the last statement
+  std::size_t bytes_ = 0;  // of all texts in the stack
+  SourcePlace current_;    // of the last statement
   std::uint64_t statements_ = 0;
 };
 

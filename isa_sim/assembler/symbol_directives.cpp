@@ -128,7 +128,7 @@ void Assembler::read_common(Directive& directive) {
 
 // --- sections ---
 
-void Assembler::enter_section(const std::string& name, const Statement&) {
+void Assembler::enter_section(const std::string& name) {
   const auto [found, added] = section_numbers_.try_emplace(name, sections_.size());
   if (added) {
     ir::Piece piece;
@@ -156,17 +156,14 @@ std::string Assembler::take_section_name(Directive& directive) {
   return std::string(rest.substr(0, end));
 }
 
-void Assembler::read_section(Directive& directive) {
-  enter_section(take_section_name(directive), directive.statement);
-}
+void Assembler::read_section(Directive& directive) { enter_section(take_section_name(directive)); }
 
+// .data, .data 2: a numbered part is a section of its own.
 void Assembler::read_plain_section(Directive& directive) {
-  if (!directive.at_end() && read_number(directive, "0") != 0) {
-    fail(directive.statement, directive.rest,
-         fmt::format("numbered parts of a section are not known: write .section {}.{}",
-                     directive.name, directive.rest));
-  }
-  enter_section(lower_case(directive.name), directive.statement);
+  const std::int64_t part = directive.at_end() ? 0 : read_number(directive, "a number");
+  expect_end(directive);
+  const std::string name = lower_case(directive.name);
+  enter_section(part == 0 ? name : fmt::format("{}.{}", name, part));
 }
 
 void Assembler::read_push_section(Directive& directive) {

@@ -333,8 +333,9 @@ class Linker {
         check_distance(reference, roles[i].kind, value, sum - address);
         result = static_cast<std::int32_t>(sum);
       } else {
-        result = static_cast<std::int32_t>(takes_high_half(roles, instruction) ? sum >> 16
-                                                                               : sum & 0xffff);
+        const Address half = takes_high_half(roles, instruction) ? sum >> 16 : sum & 0xffff;
+        result = roles[i].kind == OperandKind::imm16 ? static_cast<std::int16_t>(half)
+                                                     : static_cast<std::int32_t>(half);
       }
     }
     return placed;

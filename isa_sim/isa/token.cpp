@@ -121,7 +121,7 @@ class Tokenizer {
   }
 
   void read_number(Token& token) {
-    if (dialect_ == Dialect::assembler && read_assembler_number(token)) {
+    if (dialect_ != Dialect::bir && read_assembler_number(token)) {
       return;
     }
     token.kind = TokenKind::number;
@@ -134,7 +134,8 @@ class Tokenizer {
       if (digit_value(at(position_)) >= base) {
         fail("this number has no digits");
       }
-    } else if (text_[position_] == '0' && is_digit(at(position_ + 1))) {
+    } else if (text_[position_] == '0' && is_digit(at(position_ + 1)) &&
+               !is_decimal_all_the_same()) {
       base = 8;
     }
     std::int64_t value = 0;
@@ -192,8 +193,8 @@ class Tokenizer {
     static constexpr std::string_view kLetters = "hobd";
     static constexpr std::array kBases = {16, 8, 2, 10};
     const std::size_t letter = kLetters.find(static_cast<char>(text_[position_] | 0x20));
-    if (dialect_ != Dialect::assembler || letter == std::string_view::npos ||
-        at(position_ + 1) != '#' || digit_value(at(position_ + 2)) >= kBases[letter]) {
+    if (dialect_ == Dialect::bir || letter == std::string_view::npos || at(position_ + 1) != '#' ||
+        digit_value(at(position_ + 2)) >= kBases[letter]) {
       return false;
     }
     token.kind = TokenKind::number;
@@ -208,9 +209,19 @@ class Tokenizer {
     return true;
   }
 
+  // `08` can be nothing else.
+  [[nodiscard]] bool is_decimal_all_the_same() const {
+    std::size_t end = position_;
+    bool large = false;
+    for (; is_digit(at(end)); ++end) {
+      large = large || at(end) > '7';
+    }
+    return dialect_ == Dialect::assembler && large;
+  }
+
   // "4k" is 4096.
   [[nodiscard]] bool ends_in_k(int base) const {
-    return dialect_ == Dialect::assembler && base == 10 && (text_[position_] | 0x20) == 'k' &&
+    return dialect_ != Dialect::bir && base == 10 && (text_[position_] | 0x20) == 'k' &&
            !continues_name(at(position_ + 1));
   }
 
@@ -240,7 +251,7 @@ class Tokenizer {
       }
       value = kValues[letter];
     }
-    if (at(end + 1) != '\'' && dialect_ == Dialect::assembler && end < text_.size()) {
+    if (at(end + 1) != '\'' && dialect_ != Dialect::bir && end < text_.size()) {
       --end;  // without its second quote
     } else if (at(end + 1) != '\'') {
       fail("a character stands between two quotes, as in 'a'");
