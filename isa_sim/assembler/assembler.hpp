@@ -99,6 +99,7 @@ class Assembler : private ExpressionReader::Names {
   [[nodiscard]] bool begins_other_statement(std::string_view text) const;
   [[nodiscard]] bool is_complete(const std::vector<isa::Token>& tokens);
   ir::Packet read_packet(const std::vector<isa::Token>& tokens, const Statement& statement);
+  [[nodiscard]] bool ends_operand(const isa::Token& token) const;
   Folded fold(std::span<const isa::Token> tokens);
   bool fold_half(std::span<const isa::Token> tokens, std::size_t& position, Folded& folded);
   std::size_t fold_one(std::span<const isa::Token> tokens, std::size_t position, Folded& folded);
@@ -214,9 +215,9 @@ class Assembler : private ExpressionReader::Names {
   std::map<std::string, ir::Object> common_;
   std::uint64_t bytes_ = 0;
   std::size_t packets_ = 0;
-  std::size_t packets_of_section_ = 0;  // with the one emitted last
   std::vector<LaterValue> later_values_;
   std::vector<LaterOperand> later_operands_;
+  std::size_t operands_placed_ = 0;  // of later_operands_: their packet is known
   std::map<std::string, int> source_numbers_;
   std::map<std::int64_t, int> file_numbers_;  // of .file
   int loc_file_ = 0;                          // of .loc, until the next label of code

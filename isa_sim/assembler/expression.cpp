@@ -26,6 +26,7 @@ constexpr std::array kOperators = {
     Operator{"!=", 2, 6}, Operator{"<>", 2, 6}, Operator{"<", 2, 7},  Operator{">", 2, 7},
     Operator{"<=", 2, 7}, Operator{">=", 2, 7}, Operator{"&&", 1, 0}, Operator{"||", 1, 0},
 };
+constexpr std::string_view kShiftOfOperand = ">>>";  // what `>>` is within an instruction
 constexpr std::array<std::string_view, 4> kUnary = {"-", "~", "!", "+"};
 
 std::int64_t wrap(std::uint64_t value) { return static_cast<std::int64_t>(value); }
@@ -256,7 +257,10 @@ ExpressionPointer ExpressionReader::binary(int lowest, int depth) {
       position_ = at;  // what stands before the sign is an expression all the same
       break;
     }
-    const auto sign = std::ranges::find(kOperators, tokens_[at].text, &Operator::sign)->sign;
+    std::string_view sign = std::ranges::find(kOperators, tokens_[at].text, &Operator::sign)->sign;
+    if (sign == ">>" && precedence_ == Precedence::instructions) {
+      sign = kShiftOfOperand;
+    }
     left = make_operation(sign, std::move(left), std::move(right));
     if (left->depth > kDeepestTree) {
       return nullptr;

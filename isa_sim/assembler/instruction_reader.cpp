@@ -23,11 +23,16 @@ bool is_word(const Token& token, std::string_view word) {
   return token.kind == TokenKind::name && lower_case(token.text) == word;
 }
 
-// Behind it, a sign joins two operands.
-bool ends_operand(const Token& token) {
-  return token.kind != TokenKind::sign || token.is(")") || token.is("]") || token.is("++") ||
-         token.is("--");
+std::string upper_case(std::string_view text) {
+  std::string upper(text);
+  std::ranges::transform(upper, upper.begin(), [](char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  });
+  return upper;
 }
+
+// A number in a register's or a symbol's place: `LSETUP (4, 8) LC0 = P0 >> 1` has two of them.
+bool ends_distances(const Token& token) { return token.is(")"); }
 
 // As the 32 bits that an operand has.
 std::int64_t as_operand(std::int64_t number) {
@@ -120,6 +125,16 @@ bool Assembler::is_complete(const std::vector<Token>& tokens) {
 
 // --- folding ---
 
+// Behind it, a sign joins two operands.
+bool Assembler::ends_operand(const Token& token) const {
+  if (token.kind == TokenKind::name) {
+    const std::string upper = upper_case(token.text);
+    return isa::register_by_name(upper) || !words_.contains(upper);
+  }
+  return token.kind != TokenKind::sign || token.is(")") || token.is("]") || token.is("++") ||
+         token.is("--");
+}
+
 Assembler::Folded Assembler::fold(std::span<const Token> tokens) {
   Folded folded;
   for (std::size_t position = 0; position < tokens.size();) {
@@ -167,11 +182,8 @@ std::size_t Assembler::fold_one(std::span<const Token> tokens, std::size_t posit
    public:
     explicit Inside(Assembler& assembler) : assembler_(assembler) {}
     Symbol* symbol(const Token& token) override {
-      std::string upper(token.text);
-      std::ranges::transform(upper, upper.begin(), [](char c) {
-        return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-      });
-      return assembler_.words_.contains(upper) ? nullptr : assembler_.symbol(token);
+      return assembler_.words_.contains(upper_case(token.text)) ? nullptr
+                                                                : assembler_.symbol(token);
     }
 
    private:
@@ -253,9 +265,11 @@ std::optional<ir::ParsedInstruction> Assembler::match_distance(const Folded& fol
     return std::nullopt;
   }
   std::vector<Token> tokens;
+  bool ended = false;
   for (const Token& token : folded.tokens) {
     tokens.push_back(token);
-    if (token.kind != TokenKind::number) {
+    ended = ended || ends_distances(token);
+    if (token.kind != TokenKind::number || ended) {
       continue;
     }
     Symbol& here = symbols_.unnamed();
@@ -353,12 +367,7 @@ void Assembler::read_instruction(Statement statement) {
   if (read_loop(tokens, statement)) {
     return;
   }
-  const std::size_t later = later_operands_.size();
-  ir::Packet packet = read_packet(tokens, statement);
-  emit(std::move(packet), statement);
-  for (std::size_t i = later; i < later_operands_.size(); ++i) {
-    later_operands_[i].packet = packets_of_section_ - 1;
-  }
+  emit(read_packet(tokens, statement), statement);
 }
 
 // LOOP name LC0 = P0; LOOP_BEGIN name; LOOP_END name;
@@ -367,8 +376,12 @@ bool Assembler::read_loop(const std::vector<Token>& tokens, const Statement& sta
     return false;
   }
   const std::string word = lower_case(tokens[0].text);
+  std::string_view name = tokens[1].text;
+  if (is_numbered_reference(name)) {  // LOOP 1f belongs to LOOP_BEGIN 1
+    name.remove_suffix(1);
+  }
   const auto label = [&](const char* which) -> Symbol& {
-    return symbols_.get(fmt::format("L$L${}__{}", tokens[1].text, which));
+    return symbols_.get(fmt::format("L$L${}__{}", name, which));
   };
   if (word == "loop_begin" && tokens.size() == 2) {
     define_label(label("BEGIN"), statement, tokens[1].text, section().location());
@@ -415,7 +428,10 @@ void Assembler::emit(ir::Packet packet, const Statement& statement) {
   packet.line = loc_file_ > 0 ? loc_line_ : packet.written.line;
   const std::uint32_t length = ir::packet_length(packet, syntax_.table());
   bytes_ += length;
-  packets_of_section_ = section().packet(std::move(packet), length) + 1;
+  const std::size_t index = section().packet(std::move(packet), length);
+  for (; operands_placed_ < later_operands_.size(); ++operands_placed_) {
+    later_operands_[operands_placed_].packet = index;
+  }
 }
 
 // --- at the end of the file ---
