@@ -75,6 +75,8 @@ MemoryWindow* no_window() {
   return &window;
 }
 
+isa::Execute BlockBuilder::leave() { return leave_block; }
+
 struct BlockBuilder::Draft {
   std::unique_ptr<Block> block;
   std::vector<Operation> operations;

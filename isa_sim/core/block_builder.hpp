@@ -40,6 +40,9 @@ class BlockBuilder {
     return changed;
   }
 
+  // What the last operation of every block executes.
+  [[nodiscard]] static isa::Execute leave();
+
   // Makes `address` the end of every block that reaches it. False when it was one already.
   bool add_loop_bottom(Address address) { return loop_bottoms_.insert(address).second; }
 

@@ -12,6 +12,12 @@ using isa::ExecutionState;
 using isa::Operation;
 using isa::SystemAction;
 
+namespace {
+
+constexpr Address kCoreRegisters = 0xFFE00000;
+
+}  // namespace
+
 // The instructions' way into the core.
 struct Core::Hooks {
   static Core& core(ExecutionState& state) { return *static_cast<Core*>(state.engine); }
@@ -54,8 +60,8 @@ struct Core::Hooks {
       return false;
     }
     c.check_device_access(o, address);
-    if (address >= EventController::kFirstRegister) {
-      if (bytes != 4 || !c.events_.read(address, state.interrupt_mask, value)) {
+    if (address >= kCoreRegisters) {
+      if (!c.read_register(o, address, bytes, value)) {
         c.raise_exception(
             o, kSupervisorResource,
             fmt::format("read of {} bytes at {:#010x}: no such core register", bytes, address));
@@ -80,8 +86,8 @@ struct Core::Hooks {
       return false;
     }
     c.check_device_access(o, address);
-    if (address >= EventController::kFirstRegister) {
-      if (bytes != 4 || !c.events_.write(address, state.interrupt_mask, value)) {
+    if (address >= kCoreRegisters) {
+      if (!c.write_register(o, address, bytes, value)) {
         c.raise_exception(
             o, kSupervisorResource,
             fmt::format("write of {} bytes at {:#010x}: no such core register", bytes, address));
@@ -89,8 +95,6 @@ struct Core::Hooks {
       c.add_far_bytes(o, kDeviceBytes, bytes);
       c.add_stall(o, Cause::device, c.core_register_stall_);
       c.turn_.horizon = 0;
-      c.choose_block_style(o);
-      c.look_for_events(o);  // the mask may let an interrupt in
       return true;
     }
     c.guarded(o, [&] {
@@ -183,12 +187,20 @@ void Core::start(Cycles at, const Start& how) {
   state_.reg[isa::SYSCFG] = how.system_config;
   cycles_run_ = (how.system_config & kCycleCounterEnable) != 0;
   events_.start(how.pending);
+  if (builder_.packet_at(image_.entry) == BlockBuilder::kNoPacket) {
+    throw GuestFault(fmt::format("{}: the program begins at {:#010x}, where no instruction is",
+                                 name_of(id_), image_.entry));
+  }
   current_ = block_at(image_.entry, 0);
   calls_.start(current_->function, at);
 }
 
 void Core::run(const Turn& turn) {
   turn_ = turn;
+  if (timer_.next_event() != kNever) {
+    turn_.horizon =
+        std::min(turn_.horizon, std::max(timer_.next_event(), kTimerMargin) - kTimerMargin);
+  }
   try {
     run_blocks();
   } catch (const Trap& trap) {

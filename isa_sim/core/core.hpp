@@ -21,6 +21,7 @@
 #include <common/error.hpp>
 #include <isa_sim/core/block_builder.hpp>
 #include <isa_sim/core/call_profile.hpp>
+#include <isa_sim/core/core_timer.hpp>
 #include <isa_sim/core/event_controller.hpp>
 #include <isa_sim/core/exception_cause.hpp>
 #include <isa_sim/core/profile.hpp>
@@ -65,6 +66,9 @@ class Core {
   void shorten_turn(Cycles until);
   // Requests of the system interrupt controller, as of `at`; ends IDLE where they should.
   void set_requests(std::uint32_t ivg_lines, bool wake, Cycles at);
+  // An actor while it sleeps: its timer may wake it. kNever when nothing of its own will.
+  [[nodiscard]] Cycles next_event_time() const;
+  void advance(Cycles now);
   // A core that sleeps is charged its sleep until `at`; for reading the profile.
   void settle(Cycles at);
 
@@ -105,6 +109,13 @@ class Core {
 
   // Events: core_events.cpp.
   void take_due_events();
+  void check_timer(Cycles at);
+  void stop_at_timer();
+  // Registers of the core itself, from 0xFFE00000. False: there is none, or not of that size.
+  [[nodiscard]] bool read_register(const isa::Operation& operation, Address address, int bytes,
+                                   std::uint32_t& value);
+  [[nodiscard]] bool write_register(const isa::Operation& operation, Address address, int bytes,
+                                    std::uint32_t value);
   void enter(int event, Address back);
   void enter_exception(int cause, Address back);
   void leave_event(const isa::Operation& operation, isa::SystemAction action);
@@ -163,6 +174,7 @@ class Core {
   isa::EngineHooks hooks_;
   isa::ExecutionState state_;
   EventController events_;
+  CoreTimer timer_;
   CallProfile calls_;
   BlockBuilder builder_;
 

@@ -50,6 +50,9 @@ Return return_of(SystemAction action) {
 
 // Between blocks: whatever shall happen before the next one.
 void Core::take_due_events() {
+  if (timer_.next_event() != kNever) {
+    check_timer(state_.time);
+  }
   if (exception_due_ >= 0) {
     enter_exception(std::exchange(exception_due_, -1), current_->address);
   } else if (step_due_ && events_.level() > kException) {
@@ -62,6 +65,49 @@ void Core::take_due_events() {
   step_due_ = single_step_ && events_.level() > kException;
   if (step_due_) {
     turn_.horizon = 0;
+  }
+  if (timer_.next_event() != kNever) {
+    stop_at_timer();
+  }
+}
+
+void Core::check_timer(Cycles at) {
+  while (timer_.next_event() <= at) {
+    timer_.expire();
+    events_.raise(kCoreTimer);
+  }
+}
+
+// Close to the timer's next request the blocks run one by one, and the one in which it comes ends
+// there.
+void Core::stop_at_timer() {
+  uproot();
+  const Cycles wait = timer_.next_event() - state_.time;
+  if (wait > kTimerMargin) {
+    return;
+  }
+  turn_.horizon = 0;
+  if (wait < current_->cycles) {
+    const Operation* last = current_->operations.get();
+    for (const Operation* o = last; o->execute != BlockBuilder::leave(); ++o) {
+      if (o->cycle >= wait) {
+        break;
+      }
+      last = o;
+    }
+    end_block_after(*last);
+  }
+}
+
+Cycles Core::next_event_time() const {
+  const bool wakes = sleeping_ && !halted_ && (state_.interrupt_mask >> kCoreTimer & 1U) != 0;
+  return wakes ? timer_.next_event() : kNever;
+}
+
+void Core::advance(Cycles now) {
+  check_timer(now);
+  if (sleeping_ && events_.wants_attention(state_.interrupt_mask)) {
+    wake(now);
   }
 }
 

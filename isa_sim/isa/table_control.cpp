@@ -34,11 +34,30 @@ constexpr Instruction event_form(std::string_view syntax, Issue issue, Flow flow
 // IMASK's bits that always read as 1.
 constexpr u32 kUnmaskable = 0x1f;
 
+constexpr Instruction cache_form(std::string_view syntax, Execute execute,
+                                 std::string_view meaning) {
+  return {.syntax = syntax,
+          .length = 2,
+          .result = Result::pointer,
+          .energy = Energy::control,
+          .execute = execute,
+          .meaning = meaning};
+}
+constexpr u32 kCacheLineBytes = 32;
+constexpr auto kNothingToDo = [](ExecutionState&, const Operation&) {};
+constexpr auto kNextLine = [](ExecutionState& s, const Operation& o) {
+  reg(s, o[0]) += kCacheLineBytes;
+};
+constexpr std::string_view kNoCaches = "caches are not modelled: the address steps by a line";
+
 constexpr auto kJump = [](ExecutionState& s, const Operation& o) {
   s.next_address = static_cast<Address>(o[0]);
 };
 constexpr auto kJumpIndirect = [](ExecutionState& s, const Operation& o) {
   s.next_address = reg(s, o[0]);
+};
+constexpr auto kJumpRelative = [](ExecutionState& s, const Operation& o) {
+  s.next_address = o.address + reg(s, o[0]);
 };
 constexpr auto kCall = [](ExecutionState& s, const Operation& o) {
   s.reg[RETS] = o.address + o.length;
@@ -46,6 +65,10 @@ constexpr auto kCall = [](ExecutionState& s, const Operation& o) {
 };
 constexpr auto kCallIndirect = [](ExecutionState& s, const Operation& o) {
   s.next_address = reg(s, o[0]);
+  s.reg[RETS] = o.address + o.length;
+};
+constexpr auto kCallRelative = [](ExecutionState& s, const Operation& o) {
+  s.next_address = o.address + reg(s, o[0]);
   s.reg[RETS] = o.address + o.length;
 };
 template <bool when>
@@ -78,7 +101,9 @@ constexpr Instruction kTable[] = {
     flow_form("JUMP.S {pc12}", 2, Flow::jump, kNothing, ending<kJump>),
     flow_form("JUMP.L {pc24}", 4, Flow::jump, kNothing, ending<kJump>),
     flow_form("JUMP {pc24}", 4, Flow::jump, kNothing, ending<kJump>),
+    flow_form("JUMP.X {pc24}", 4, Flow::jump, kNothing, ending<kJump>),
     flow_form("JUMP ({P@})", 2, Flow::jump_indirect, kNothing, ending<kJumpIndirect>),
+    flow_form("JUMP (PC + {P@})", 2, Flow::jump_indirect, kNothing, ending<kJumpRelative>),
     flow_form("IF CC JUMP {pc10}", 2, Flow::branch, kReadsCc, ending<kBranch<true>>,
               "predicted not taken"),
     flow_form("IF CC JUMP {pc10} (BP)", 2, Flow::branch_predicted, kReadsCc, ending<kBranch<true>>,
@@ -88,7 +113,9 @@ constexpr Instruction kTable[] = {
     flow_form("IF !CC JUMP {pc10} (BP)", 2, Flow::branch_predicted, kReadsCc,
               ending<kBranch<false>>, "predicted taken"),
     flow_form("CALL {pc24}", 4, Flow::call, kWritesRets, ending<kCall>),
+    flow_form("CALL.X {pc24}", 4, Flow::call, kWritesRets, ending<kCall>),
     flow_form("CALL ({P@})", 2, Flow::call_indirect, kWritesRets, ending<kCallIndirect>),
+    flow_form("CALL (PC + {P@})", 2, Flow::call_indirect, kWritesRets, ending<kCallRelative>),
     flow_form("RTS", 2, Flow::ret, kReadsRets,
               ending<[](ExecutionState& s, const Operation&) { s.next_address = s.reg[RETS]; }>),
     flow_form("RTI", 2, Flow::ret_event, kNothing,
@@ -144,6 +171,14 @@ constexpr Instruction kTable[] = {
                  system(s, o, SystemAction::exception, static_cast<u32>(o[0]));
                }>,
                "raise an exception"),
+    cache_form("PREFETCH [{P@}]", plain<kNothingToDo>, kNoCaches),
+    cache_form("PREFETCH [{P@+}++]", plain<kNextLine>, kNoCaches),
+    cache_form("FLUSH [{P@}]", plain<kNothingToDo>, kNoCaches),
+    cache_form("FLUSH [{P@+}++]", plain<kNextLine>, kNoCaches),
+    cache_form("FLUSHINV [{P@}]", plain<kNothingToDo>, kNoCaches),
+    cache_form("FLUSHINV [{P@+}++]", plain<kNextLine>, kNoCaches),
+    cache_form("IFLUSH [{P@}]", plain<kNothingToDo>, kNoCaches),
+    cache_form("IFLUSH [{P@+}++]", plain<kNextLine>, kNoCaches),
     {.syntax = "NOP",
      .length = 2,
      .slot = Slot::nop,

@@ -135,7 +135,8 @@ class Machine::Implementation final : public core::SystemPort {
         return stopped(*exit_);
       }
       core::Core* runner = earliest_core();
-      const Cycles event = bus_.next_event_time();
+      const Cycles event = std::min(
+          {bus_.next_event_time(), core_at(0).next_event_time(), core_at(1).next_event_time()});
       if (runner == nullptr && event == kNever) {
         return stopped({Stop::deadlock, 0, latest_time(), {}});
       }
@@ -150,7 +151,7 @@ class Machine::Implementation final : public core::SystemPort {
         next_question = now + tick_;
       }
       if (runner == nullptr || event <= runner->time()) {
-        bus_.advance(event);
+        advance(event);
         continue;
       }
       running_ = runner;
@@ -181,6 +182,19 @@ class Machine::Implementation final : public core::SystemPort {
  private:
   [[nodiscard]] static bool active(const core::Core& core) {
     return core.started() && !core.sleeping();
+  }
+
+  // Devices before the cores' own timers.
+  void advance(Cycles event) {
+    if (bus_.next_event_time() == event) {
+      bus_.advance(event);
+      return;
+    }
+    for (const auto& core : cores_) {
+      if (core->next_event_time() == event) {
+        core->advance(event);
+      }
+    }
   }
 
   // Of equal times core A's comes first.

@@ -3,6 +3,7 @@
 #include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <span>
 
 #include "control_programs.hpp"
 #include "core_harness.hpp"
@@ -40,6 +41,26 @@ constexpr Program kDebug[] = {
     {"emulator_that_is_not_there", "EMUEXCPT; R1 = 1; DBGA (R1.L, 1);"},
 };
 
+constexpr Program kFlow[] = {
+    {"jump_relative",
+     "P1 = 8; R1 = 0; JUMP (PC + P1); R1 = 1; HLT; NOP; R2 = 2; DBGA (R1.L, 0);"
+     "DBGA (R2.L, 2);"},
+    {"call_relative",
+     "R1 = 0; P1.L = _five; P1.H = _five; P2.L = .Lcall; P2.H = .Lcall; P1 -= P2;"
+     ".Lcall: CALL (PC + P1); DBGA (R1.L, 5);",
+     ".type _five, @function\n_five: R1 += 5; RTS;\n.size _five, .-_five\n"},
+    {"extended_forms", "R1 = 0; JUMP.X .Lover; R1 = 1; .Lover: CALL.X _five; DBGA (R1.L, 5);",
+     ".type _five, @function\n_five: R1 += 5; RTS;\n.size _five, .-_five\n"},
+    {"cache_control",
+     "P1 = 32; P2 = P1; P3 = P1; P4 = P1; PREFETCH [P1++]; FLUSH [P2++]; FLUSHINV [P3++];"
+     "IFLUSH [P4++]; PREFETCH [P1]; FLUSH [P2]; FLUSHINV [P3]; IFLUSH [P4];"
+     "DBGAL (P1, 64); DBGAL (P2, 64); DBGAL (P3, 64); DBGAL (P4, 64);"},
+    {"testset_in_l1",
+     "P1.L = _lock; P1.H = _lock; TESTSET (P1); R1 = CC; TESTSET (P1); R2 = CC;"
+     "R3 = B[P1] (Z); DBGA (R1.L, 1); DBGA (R2.L, 0); DBGA (R3.L, 0x80);",
+     ".data\n.align 4\n.type _lock, @object\n_lock: .space 4\n.size _lock, 4\n"},
+};
+
 class Control : public testing::TestWithParam<Program> {};
 
 TEST_P(Control, ChecksItself) {
@@ -50,6 +71,7 @@ TEST_P(Control, ChecksItself) {
 
 std::string name_of_program(const testing::TestParamInfo<Program>& info) { return info.param.name; }
 
+INSTANTIATE_TEST_SUITE_P(Flow, Control, testing::ValuesIn(kFlow), name_of_program);
 INSTANTIATE_TEST_SUITE_P(Debug, Control, testing::ValuesIn(kDebug), name_of_program);
 
 constexpr Program kPrinting = {
@@ -103,8 +125,10 @@ TEST(Debug, EarlyEndCountsWhatRan) {
 
 std::vector<std::string> control_programs() {
   std::vector<std::string> texts = {text_of(kPrinting), text_of(kPrintAll)};
-  for (const Program& item : kDebug) {
-    texts.push_back(text_of(item));
+  for (const std::span<const Program> group : {std::span<const Program>(kDebug), {kFlow}}) {
+    for (const Program& item : group) {
+      texts.push_back(text_of(item));
+    }
   }
   return texts;
 }
