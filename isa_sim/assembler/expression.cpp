@@ -54,6 +54,10 @@ std::optional<std::int64_t> apply(std::string_view sign, std::int64_t left, std:
     return b > 63 ? 0 : wrap(a << b);
   if (sign == ">>")
     return b > 63 ? 0 : wrap(a >> b);
+  if (sign == kShiftOfOperand) {  // operands have 32 bits and a sign
+    return static_cast<std::int64_t>(static_cast<std::int32_t>(a)) >>
+           std::min<std::uint64_t>(b, 31);
+  }
   if (sign == "|")
     return left | right;
   if (sign == "&")
