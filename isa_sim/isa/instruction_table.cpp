@@ -7,10 +7,10 @@ namespace finback::isa {
 std::span<const Instruction> instruction_table() {
   static const std::vector<Instruction> table = [] {
     std::vector<Instruction> all;
-    for (const auto part : {memory_instructions(), move_instructions(), arithmetic_instructions(),
-                            alu_instructions(), multiply_instructions(), accumulator_instructions(),
-                            video_instructions(), shift_instructions(), control_instructions(),
-                            debug_instructions()}) {
+    for (const auto part :
+         {memory_instructions(), move_instructions(), arithmetic_instructions(), alu_instructions(),
+          multiply_instructions(), accumulator_instructions(), video_instructions(),
+          shift_instructions(), control_instructions(), debug_instructions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

@@ -64,6 +64,7 @@ constexpr std::array kKinds = {
     Kind{OperandKind::uimm3, "uimm3", ImmediateRange{0, 7, 1}},
     Kind{OperandKind::uimm4, "uimm4", ImmediateRange{0, 15, 1}},
     Kind{OperandKind::uimm5, "uimm5", ImmediateRange{0, 31, 1}},
+    Kind{OperandKind::uimm6, "uimm6", ImmediateRange{0, 63, 1}},
     Kind{OperandKind::uimm16, "uimm16", ImmediateRange{0, 65535, 1}},
     Kind{OperandKind::any16, "any16", ImmediateRange{-32768, 65535, 1}},
     Kind{OperandKind::offset4x2, "off4x2", ImmediateRange{0, 30, 2}},

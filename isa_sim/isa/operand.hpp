@@ -69,6 +69,7 @@ enum class OperandKind : std::uint8_t {
   uimm3,
   uimm4,
   uimm5,
+  uimm6,
   uimm16,
   any16,      // {any16}    -32768..65535: a half to be written, or a symbol's half (by the register
               // half)

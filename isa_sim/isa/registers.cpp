@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, kRegisterCount> kNames = {
     "B0", "B1", "B2", "B3", "L0", "L1", "L2", "L3",
     "LC0", "LC1", "LT0", "LT1", "LB0", "LB1",
     "RETS", "RETI", "RETX", "RETN", "RETE",
-    "USP", "SEQSTAT", "SYSCFG", "CYCLES", "CYCLES2",
+    "USP", "SEQSTAT", "SYSCFG", "CYCLES", "CYCLES2", "EMUDAT",
     "A0.X", "A0.W", "A1.X", "A1.W",
     "ASTAT", "CC", "A0", "A1",
     // clang-format on

@@ -20,7 +20,7 @@ enum Register : std::uint8_t {
   B0, B1, B2, B3, L0, L1, L2, L3,          // circular buffers: base and length
   LC0, LC1, LT0, LT1, LB0, LB1,            // hardware loops: count, top, bottom
   RETS, RETI, RETX, RETN, RETE,            // return addresses
-  USP, SEQSTAT, SYSCFG, CYCLES, CYCLES2,
+  USP, SEQSTAT, SYSCFG, CYCLES, CYCLES2, EMUDAT,
   A0X, A0W, A1X, A1W,                      // parts of the accumulators
   ASTAT, CC, A0, A1,
   kRegisterCount

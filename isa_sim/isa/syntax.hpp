@@ -61,7 +61,8 @@ class Syntax {
   Syntax& operator=(const Syntax&) = delete;
   ~Syntax();
 
-  // The first entry that reads all of `tokens` (one instruction, without `;` or `||`).
+  // The first entry that reads all of `tokens` (one instruction, without `;` or `||`). The two
+  // parts of a vector instruction may stand in either order.
   [[nodiscard]] std::optional<ParsedInstruction> match(std::span<const Token> tokens) const;
   // Why `match` found nothing: one operand that does not fit, or that no instruction looks so.
   [[nodiscard]] SyntaxProblem explain(std::span<const Token> tokens) const;
@@ -80,6 +81,9 @@ class Syntax {
   [[nodiscard]] std::span<const std::pair<int, int>> same_syntax() const;
 
  private:
+  [[nodiscard]] std::optional<ParsedInstruction> match_as_written(
+      std::span<const Token> tokens) const;
+
   struct Compiled;
   std::span<const Instruction> table_;
   std::unique_ptr<Compiled> compiled_;

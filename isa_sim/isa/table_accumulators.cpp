@@ -197,7 +197,8 @@ constexpr Instruction compare_form(std::string_view syntax) {
           .execute = plain<kCompare<order>>};
 }
 
-// ---- shifts: AV of the accumulator is cleared
+// ---- shifts: AV of the accumulator is cleared; more than 32 to the right is a shift to the left
+// by the rest to 64, as the shifter reads its six bits
 // ---------------------------------------------------------------------------------------------------
 
 // Left when the amount is positive; bits that leave are lost.
@@ -215,7 +216,7 @@ enum class Amount : u8 { left, right, in_register };
 template <int unit, Amount where, bool arithmetic>
 constexpr auto kShift = [](ExecutionState& s, const Operation& o) {
   const int amount = where == Amount::left    ? o[0]
-                     : where == Amount::right ? -o[0]
+                     : where == Amount::right ? (o[0] > 32 ? 64 - o[0] : -o[0])
                                               : shift_amount(reg(s, register_of(o[0])));
   int64_t& a = s.accumulator[unit];
   a = shift40(a, amount, arithmetic);
@@ -296,10 +297,10 @@ constexpr Instruction kTable[] = {
 
     // shifts
     update_form<0>("A0 = A0 << {uimm5}", plain<kShift<0, Amount::left, false>>),
-    update_form<0>("A0 = A0 >> {uimm5}", plain<kShift<0, Amount::right, false>>),
+    update_form<0>("A0 = A0 >> {uimm6}", plain<kShift<0, Amount::right, false>>),
     update_form<0>("A0 = A0 >>> {uimm5}", plain<kShift<0, Amount::right, true>>),
     update_form<1>("A1 = A1 << {uimm5}", plain<kShift<1, Amount::left, false>>),
-    update_form<1>("A1 = A1 >> {uimm5}", plain<kShift<1, Amount::right, false>>),
+    update_form<1>("A1 = A1 >> {uimm6}", plain<kShift<1, Amount::right, false>>),
     update_form<1>("A1 = A1 >>> {uimm5}", plain<kShift<1, Amount::right, true>>),
     early_update_form<0>("A0 = ASHIFT A0 BY {Dl}", plain<kShift<0, Amount::in_register, true>>),
     early_update_form<0>("A0 = LSHIFT A0 BY {Dl}", plain<kShift<0, Amount::in_register, false>>),

@@ -295,6 +295,20 @@ constexpr auto kViterbiPair = [](ExecutionState& s, const Operation& o) {
 constexpr const char* kLeft = "left when the amount is positive";
 constexpr const char* kRing = "through CC, left when the amount is positive";
 
+// The amount is a signed number of five bits in the shifter: more than 16 to the right is a shift
+// to the left by the rest to 32, and 16 or more to the left one to the right.
+void right_to_left(const OperandNumbers& operand, Operation& operation) {
+  operation.operand[2] = operand[2] > 16 ? operand[2] - 32 : operand[2];
+}
+void left_to_right(const OperandNumbers& operand, Operation& operation) {
+  operation.operand[2] = operand[2] >= 16 ? operand[2] - 32 : operand[2];
+}
+template <Prepare fold>
+constexpr Instruction folded(Instruction form) {
+  form.prepare = fold;
+  return form;
+}
+
 constexpr Instruction rotate_form(Instruction form, std::uint32_t accumulator = kNothing) {
   return with_implicit(form, kReadsCc | kWritesCc | accumulator);
 }
@@ -315,11 +329,12 @@ constexpr Instruction kTable[] = {
     // shifts of both halves
     dsp_form("{D!} = {D} << {uimm4} (V)", plain<kShiftHalves<Amount::left, false, Lost::flagged>>),
     dsp_form("{D!} = {D} >> {uimm4} (V)", plain<kShiftHalves<Amount::right, false, Lost::ignored>>),
-    dsp_form("{D!} = {D} >>> {uimm4} (V)", plain<kShiftHalves<Amount::right, true, Lost::ignored>>),
-    dsp_form("{D!} = {D} << {uimm4} (V, S)",
-             plain<kShiftHalves<Amount::left, true, Lost::saturate>>),
-    dsp_form("{D!} = {D} >>> {uimm4} (V, S)",
-             plain<kShiftHalves<Amount::right, true, Lost::ignored>>),
+    folded<right_to_left>(dsp_form("{D!} = {D} >>> {uimm5} (V)",
+                                   plain<kShiftHalves<Amount::right, true, Lost::or_sign>>)),
+    folded<left_to_right>(dsp_form("{D!} = {D} << {uimm5} (V, S)",
+                                   plain<kShiftHalves<Amount::left, true, Lost::saturate>>)),
+    folded<right_to_left>(dsp_form("{D!} = {D} >>> {uimm5} (V, S)",
+                                   plain<kShiftHalves<Amount::right, true, Lost::or_sign>>)),
     early_dsp_form("{D!} = LSHIFT {D} BY {Dl} (V)",
                    plain<kShiftHalves<Amount::in_register, false, Lost::ignored>>, kLeft),
     early_dsp_form("{D!} = ASHIFT {D} BY {Dl} (V)",
@@ -330,9 +345,11 @@ constexpr Instruction kTable[] = {
     // shifts of one half
     dsp_form("{Dx!} = {Dx} << {uimm4}", plain<kShiftHalf<Amount::left, false, Lost::flagged>>),
     dsp_form("{Dx!} = {Dx} >> {uimm4}", plain<kShiftHalf<Amount::right, false, Lost::ignored>>),
-    dsp_form("{Dx!} = {Dx} >>> {uimm4}", plain<kShiftHalf<Amount::right, true, Lost::ignored>>),
+    folded<right_to_left>(dsp_form("{Dx!} = {Dx} >>> {uimm5}",
+                                   plain<kShiftHalf<Amount::right, true, Lost::or_sign>>)),
     dsp_form("{Dx!} = {Dx} << {uimm4} (S)", plain<kShiftHalf<Amount::left, true, Lost::saturate>>),
-    dsp_form("{Dx!} = {Dx} >>> {uimm4} (S)", plain<kShiftHalf<Amount::right, true, Lost::ignored>>),
+    folded<right_to_left>(dsp_form("{Dx!} = {Dx} >>> {uimm5} (S)",
+                                   plain<kShiftHalf<Amount::right, true, Lost::saturate>>)),
     early_dsp_form("{Dx!} = LSHIFT {Dx} BY {Dl}",
                    plain<kShiftHalf<Amount::in_register, false, Lost::ignored>>, kLeft),
     early_dsp_form("{Dx!} = ASHIFT {Dx} BY {Dl}",

@@ -1,0 +1,52 @@
+// Does every entry of the instruction table keep its law, on thousands of states made of edge
+// values? The build itself runs `Coverage`: an entry without a law does not build.
+#include <gtest/gtest.h>
+
+#include "laws.hpp"
+
+namespace finback::isa::laws {
+namespace {
+
+constexpr int kTrials = 1500;
+
+TEST(Coverage, EveryEntryHasALaw) {
+  for (const Instruction& info : instruction_table()) {
+    EXPECT_NE(law_of(info.syntax), nullptr)
+        << info.syntax << ": add its law to tests/instructions/laws_*.cpp";
+  }
+}
+
+class Properties : public testing::TestWithParam<int> {};
+
+TEST_P(Properties, EntryKeepsItsLaw) {
+  const Instruction& info = instruction_table()[static_cast<std::size_t>(GetParam())];
+  void (*const law)(Trial&) = law_of(info.syntax);
+  ASSERT_NE(law, nullptr) << info.syntax;
+  Draws draws(GetParam(), 1);
+  for (int i = 0; i < kTrials; ++i) {
+    Trial trial = draws.draw();
+    const std::string problem = run(trial, law);
+    ASSERT_EQ(problem, "") << info.syntax;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, Properties,
+                         testing::Range(0, static_cast<int>(instruction_table().size())));
+
+// A law that can fail: one wrong flag, register or byte is found.
+TEST(Trials, FindWhatDiffers) {
+  const int add = instruction_syntax().parse("R1 = R2 + R3").instruction;
+  Draws draws(add, 1);
+  Trial trial = draws.draw();
+  EXPECT_NE(run(trial, [](Trial&) {}), "");
+  EXPECT_NE(run(trial,
+                [](Trial& t) {
+                  law_of("{D!} = {D} + {D}")(t);
+                  t.after.vs ^= 1;
+                }),
+            "");
+  EXPECT_EQ(run(trial, law_of("{D!} = {D} + {D}")), "");
+}
+
+}  // namespace
+}  // namespace finback::isa::laws
