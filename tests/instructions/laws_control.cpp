@@ -17,6 +17,13 @@ void branch(Trial& t) {
   }
 }
 void save_return(Trial& t) { t.set_register(RETS, Trial::kPlace + static_cast<Exact>(t.length)); }
+void call(Trial& t) {
+  jump(t);
+  save_return(t);
+}
+// One cache line on; there are no caches.
+void nothing(Trial&) {}
+void next_line(Trial& t) { t.set(0, Exact{t.word(0)} + 32); }
 template <Register from, SystemAction action>
 void event_return(Trial& t) {
   t.after.next_address = t.before.reg[from];
@@ -54,17 +61,15 @@ void expect_high(Trial& t) { expect_half(t, true); }
 constexpr Law kLaws[] = {
     {"JUMP.S {pc12}", jump},
     {"JUMP.L {pc24}", jump},
+    {"JUMP.X {pc24}", jump},
     {"JUMP {pc24}", jump},
+    {"CALL.X {pc24}", call},
     {"JUMP ({P@})", jump_register},
     {"IF CC JUMP {pc10}", branch<true>},
     {"IF CC JUMP {pc10} (BP)", branch<true>},
     {"IF !CC JUMP {pc10}", branch<false>},
     {"IF !CC JUMP {pc10} (BP)", branch<false>},
-    {"CALL {pc24}",
-     [](Trial& t) {
-       jump(t);
-       save_return(t);
-     }},
+    {"CALL {pc24}", call},
     {"CALL ({P@})",
      [](Trial& t) {
        jump_register(t);
@@ -103,7 +108,15 @@ constexpr Law kLaws[] = {
      }},
     {"RAISE {uimm4}", asks_with_operand<SystemAction::raise>},
     {"EXCPT {uimm4}", asks_with_operand<SystemAction::exception>},
-    {"NOP", [](Trial&) {}},
+    {"NOP", nothing},
+    {"PREFETCH [{P@}]", nothing},
+    {"PREFETCH [{P@+}++]", next_line},
+    {"FLUSH [{P@}]", nothing},
+    {"FLUSH [{P@+}++]", next_line},
+    {"FLUSHINV [{P@}]", nothing},
+    {"FLUSHINV [{P@+}++]", next_line},
+    {"IFLUSH [{P@}]", nothing},
+    {"IFLUSH [{P@+}++]", next_line},
     {"TESTSET ({P@})",
      [](Trial& t) {
        t.after.cc = t.load(t.word(0), 1) == 0;

@@ -148,6 +148,9 @@ constexpr Law kLaws[] = {
 std::span<const Law> memory_laws() { return kLaws; }
 
 void (*access_law_of(std::string_view syntax))(Trial&) {
+  if (!has(syntax, " = ")) {
+    return nullptr;
+  }
   return has(syntax, "[{P@") || has(syntax, "[{I@") || has(syntax, "[FP + ") ? access_law : nullptr;
 }
 
