@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -14,7 +16,7 @@ enum ExitCode : int {
   kUsage = 1,         // the command line cannot be read
   kBadInput = 2,      // a file or a simulated program is wrong
   kBudgetBroken = 3,  // a target is missed, and the caller asked for that
-  kCycleLimit = 124,    // `finback exec`: the program used up its cycles
+  kCycleLimit = 124,  // `finback exec`: the program used up its cycles
   kInterrupted = 130,
 };
 
@@ -27,7 +29,10 @@ void add_profile_command(CLI::App& app, Action& action);
 void add_annotate_command(CLI::App& app, Action& action);
 void add_explore_command(CLI::App& app, Action& action);
 void add_machine_command(CLI::App& app, Action& action);
-void add_exec_command(CLI::App& app, Action& action);
+void add_exec_command(CLI::App& app, Action& action, std::vector<std::string> arguments);
 void add_isa_command(CLI::App& app, Action& action);
+
+// Takes what stands behind `--` off the command line of `finback exec`: its program's arguments.
+[[nodiscard]] std::vector<std::string> take_program_arguments(int& argc, char** argv);
 
 }  // namespace finback::cli

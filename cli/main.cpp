@@ -44,7 +44,7 @@ int parse_and_run(int argc, char** argv) {
   add_profile_command(app, action);
   add_annotate_command(app, action);
   add_explore_command(app, action);
-  add_exec_command(app, action);
+  add_exec_command(app, action, take_program_arguments(argc, argv));
   add_machine_command(app, action);
   add_isa_command(app, action);
   try {

@@ -9,6 +9,7 @@
 #include <isa_sim/assembler/assemble.hpp>
 #include <isa_sim/ir/parser.hpp>
 #include <isa_sim/ir/verifier.hpp>
+#include <report/run_result.hpp>
 #include <runner/program_request.hpp>
 #include <runner/run_request.hpp>
 
@@ -146,27 +147,44 @@ ir::Placement flat_placement() {
   return placement;
 }
 
+// Over all files that were named, in their order; what they include does not count.
+report::Ingredient identity_of(const ProgramRequest& request) {
+  std::string all;
+  for (const auto* files : {&request.core_a, &request.core_b}) {
+    for (const fs::path& file : *files) {
+      all += file.filename().string() + '\n' + read_text_file(file);
+    }
+  }
+  return {request.core_a.front().stem().string(), report::content_hash(all)};
+}
+
 }  // namespace
 
-LoadedProgram load_program(const ProgramRequest& request) {
+RunInputs load_program(const ProgramRequest& request) {
+  if (request.environment == Environment::user && !request.core_b.empty()) {
+    throw InputError("--core-b wants --environment chip: a user's program has one core");
+  }
   assembler::Options options;
   options.include_folders = request.include_folders;
   options.note = request.note;
   for (const std::string& define : request.defines) {
     options.defines.push_back(read_define(define));
   }
-  LoadedProgram loaded;
+  RunInputs loaded;
   loaded.machine = load_machine(request.machine, request.settings);
-  ir::FirmwareUnits& units = loaded.firmware.units;
+  loaded.firmware.identity = identity_of(request);
+  loaded.firmware.placement = {"default", report::content_hash("")};
+  ir::FirmwareUnits& units = loaded.firmware.firmware.units;
   units.path = request.core_a.front().string();
-  units.name = request.core_a.front().stem().string();
+  units.name = loaded.firmware.identity.name;
   units.cores[0] = load_units(request.core_a, options, request.entry, "core A");
   units.cores[1] = load_units(request.core_b, options, "", "core B");
-  loaded.firmware.placement = ir::default_placement();
+  loaded.firmware.firmware.placement = ir::default_placement();
   if (request.environment == Environment::user) {
     add_flat_memory(loaded.machine->map, request.memory_megabytes);
-    loaded.firmware.placement = flat_placement();
+    loaded.firmware.firmware.placement = flat_placement();
   }
+  loaded.scene.name = "none";
   return loaded;
 }
 

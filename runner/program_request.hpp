@@ -8,13 +8,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include <isa_sim/ir/firmware.hpp>
-#include <isa_sim/machine/machine_description.hpp>
+#include <runner/run_firmware.hpp>
 
 namespace finback::runner {
 
@@ -35,12 +32,8 @@ struct ProgramRequest {
 };
 inline constexpr std::uint32_t kMostMegabytes = 2048;
 
-struct LoadedProgram {
-  ir::Firmware firmware;
-  std::unique_ptr<machine::MachineDescription> machine;
-};
-
-// Loads, checks and arranges everything; linking is left to do. Throws InputError.
-[[nodiscard]] LoadedProgram load_program(const ProgramRequest& request);
+// Loads, checks and arranges everything; linking is left to do. There is no scene. Throws
+// InputError.
+[[nodiscard]] RunInputs load_program(const ProgramRequest& request);
 
 }  // namespace finback::runner

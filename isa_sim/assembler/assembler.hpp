@@ -156,6 +156,7 @@ class Assembler : private ExpressionReader::Names {
                std::uint8_t value);
   void put_value(const Statement& statement, std::string_view at, const ExpressionPointer& value,
                  int bytes);
+  void fill(const Statement& statement, std::uint32_t count, std::uint8_t value);
   void reserve(const Directive& directive, std::int64_t count, std::int64_t each);
   void finish_data();
   [[nodiscard]] std::string read_text(Directive& directive);

@@ -117,7 +117,21 @@ void Assembler::read_space(Directive& directive) {
   const std::int64_t value = take_comma(directive) ? read_number(directive, "a byte") : 0;
   expect_end(directive);
   reserve(directive, count, 1);
-  section().fill(static_cast<std::uint32_t>(count), static_cast<std::uint8_t>(value));
+  fill(directive.statement, static_cast<std::uint32_t>(count), static_cast<std::uint8_t>(value));
+}
+
+// Zeros behind an instruction are NOPs, within reason.
+void Assembler::fill(const Statement& statement, std::uint32_t count, std::uint8_t value) {
+  constexpr std::uint32_t kNopBytes = 2;
+  constexpr std::uint32_t kMostNops = 2048;
+  const std::uint32_t nops = count / kNopBytes;
+  if (value == 0 && section().ends_in_code() && nops <= kMostNops &&
+      packets_ + nops <= kMostPackets) {
+    packets_ += nops;
+    section().nops(nops, syntax_, source_.in_file(statement));
+    count -= nops * kNopBytes;
+  }
+  section().fill(count, value);
 }
 
 // .fill count[, bytes[, value]]
@@ -167,8 +181,8 @@ void Assembler::read_align(Directive& directive) {
     return;
   }
   reserve(directive, padding, 1);
-  section().align(static_cast<std::uint32_t>(bytes), static_cast<std::uint8_t>(value), syntax_,
-                  source_.in_file(directive.statement));
+  section().keep_aligned(static_cast<std::uint32_t>(bytes));
+  fill(directive.statement, static_cast<std::uint32_t>(padding), static_cast<std::uint8_t>(value));
 }
 
 // .org place[, byte]
@@ -198,7 +212,7 @@ void Assembler::move_to(const Statement& statement, std::string_view at,
     fail(statement, at, fmt::format("a file has at most {} MB", kMostBytes >> 20));
   }
   bytes_ += static_cast<std::uint64_t>(to - here);
-  section().fill(static_cast<std::uint32_t>(to - here), value);
+  fill(statement, static_cast<std::uint32_t>(to - here), value);
 }
 
 }  // namespace finback::assembler

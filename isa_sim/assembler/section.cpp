@@ -34,22 +34,16 @@ std::size_t Section::packet(ir::Packet packet, std::uint32_t length) {
   return piece_.packets.size() - 1;
 }
 
-void Section::align(std::uint32_t bytes, std::uint8_t value, const isa::Syntax& syntax,
-                    const SourcePlace& written) {
-  const std::uint32_t to = (piece_.size + bytes - 1) / bytes * bytes;
-  piece_.align = std::max(piece_.align, bytes);
-  constexpr std::uint32_t kNopBytes = 2;
-  if (ends_in_code() && value == 0) {
-    const isa::ParsedInstruction nop = syntax.parse("NOP");
-    while (piece_.size + kNopBytes <= to) {
-      ir::Packet packet;
-      packet.slots.push_back(nop);
-      packet.written = written;
-      this->packet(std::move(packet), kNopBytes);
-    }
+void Section::nops(std::uint32_t count, const isa::Syntax& syntax, const SourcePlace& written) {
+  ir::Packet packet;
+  packet.slots.push_back(syntax.parse("NOP"));
+  packet.written = written;
+  for (; count > 0; --count) {
+    this->packet(packet, ir::packet_length(packet, syntax.table()));
   }
-  fill(to - piece_.size, value);
 }
+
+void Section::keep_aligned(std::uint32_t bytes) { piece_.align = std::max(piece_.align, bytes); }
 
 std::uint32_t Section::last_packet() const {
   return piece_.packets.empty() ? piece_.size : piece_.packets.back().offset;

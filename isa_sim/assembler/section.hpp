@@ -21,14 +21,18 @@ class Section {
   // Overwrites `bytes` bytes that `number` put at `offset`.
   void patch(std::uint32_t offset, std::int64_t value, int bytes);
   void fill(std::uint32_t count, std::uint8_t value);
+  // Zeros behind an instruction, which are NOPs: how many of them can be run is up to the caller.
+  void nops(std::uint32_t count, const isa::Syntax& syntax, const SourcePlace& written);
+  [[nodiscard]] bool ends_in_code() const {
+    return !piece_.packets.empty() && code_end_ == piece_.size;
+  }
   // Returns its index. `length`: in bytes.
   std::size_t packet(ir::Packet packet, std::uint32_t length);
   [[nodiscard]] ir::Packet& packet_at(std::size_t index) { return piece_.packets[index].packet; }
   void relocate(ir::Relocation relocation) { piece_.relocations.push_back(std::move(relocation)); }
   void label(ir::PieceLabel label) { piece_.labels.push_back(std::move(label)); }
-  // Up to a multiple of `bytes`, a power of two, by `value`; behind instructions by NOPs.
-  void align(std::uint32_t bytes, std::uint8_t value, const isa::Syntax& syntax,
-             const SourcePlace& written);
+  // The whole section keeps this alignment.
+  void keep_aligned(std::uint32_t bytes);
   // Where the last packet begins; the location when there is none.
   [[nodiscard]] std::uint32_t last_packet() const;
 
@@ -36,10 +40,6 @@ class Section {
   [[nodiscard]] ir::Piece finish();
 
  private:
-  [[nodiscard]] bool ends_in_code() const {
-    return !piece_.packets.empty() && code_end_ == piece_.size;
-  }
-
   ir::Piece piece_;
   std::uint32_t code_end_ = 0;
 };
