@@ -26,15 +26,16 @@ struct Core::Hooks {
                                    int bytes, bool write, bool continued) {
     Core& c = core(state);
     memory::Span* span = c.memory_.find_span(c.number_, address);
-    if ((address & static_cast<Address>(bytes - 1)) != 0) {
-      c.raise_exception(o, kMisalignedAccess,
-                        c.memory_.core_fault(c.number_, address, bytes, write));
+    if ((address & static_cast<Address>(bytes - 1)) != 0 || c.protection_.guards_data()) {
+      c.check_access(o, address, bytes, write);
     }
     if (span == nullptr) {
       return c.no_memory(o, c.memory_.core_fault(c.number_, address, bytes, write));
     }
     if (MemoryWindow* window = memory::MemorySystem::window(c.number_, span)) {
-      o.window = window;
+      if (!c.protection_.guards_data()) {
+        o.window = window;
+      }
       ++(write ? window->writes : window->reads)[static_cast<std::size_t>(bytes / 2)];
       return span->at(address);
     }
@@ -59,12 +60,10 @@ struct Core::Hooks {
     if (c.wait_for_turn(o)) {
       return false;
     }
-    c.check_device_access(o, address);
+    c.check_access(o, address, bytes, false);
     if (address >= kCoreRegisters) {
       if (!c.read_register(o, address, bytes, value)) {
-        c.raise_exception(
-            o, kSupervisorResource,
-            fmt::format("read of {} bytes at {:#010x}: no such core register", bytes, address));
+        c.no_register(o, address, bytes, false);
       }
       c.add_far_bytes(o, kDeviceBytes, bytes);
       c.add_stall(o, Cause::device, c.core_register_stall_);
@@ -85,12 +84,10 @@ struct Core::Hooks {
     if (c.wait_for_turn(o)) {
       return false;
     }
-    c.check_device_access(o, address);
+    c.check_access(o, address, bytes, true);
     if (address >= kCoreRegisters) {
       if (!c.write_register(o, address, bytes, value)) {
-        c.raise_exception(
-            o, kSupervisorResource,
-            fmt::format("write of {} bytes at {:#010x}: no such core register", bytes, address));
+        c.no_register(o, address, bytes, true);
       }
       c.add_far_bytes(o, kDeviceBytes, bytes);
       c.add_stall(o, Cause::device, c.core_register_stall_);

@@ -25,6 +25,7 @@
 #include <isa_sim/core/event_controller.hpp>
 #include <isa_sim/core/exception_cause.hpp>
 #include <isa_sim/core/profile.hpp>
+#include <isa_sim/core/protection.hpp>
 #include <isa_sim/core/system_port.hpp>
 #include <memory_model/memory_system.hpp>
 
@@ -119,7 +120,9 @@ class Core {
   void enter(int event, Address back);
   void enter_exception(int cause, Address back);
   void leave_event(const isa::Operation& operation, isa::SystemAction action);
-  void check_device_access(const isa::Operation& operation, Address address) const;
+  void check_access(const isa::Operation& operation, Address address, int bytes, bool write);
+  void no_register(const isa::Operation& operation, Address address, int bytes, bool write);
+  void check_every_access();
   [[nodiscard]] std::uint8_t* no_memory(const isa::Operation& operation, const std::string& what);
   void require_supervisor(const isa::Operation& operation, const char* what) const;
   // An interrupt may have become due: it is taken after this packet.
@@ -155,7 +158,7 @@ class Core {
   // Runs `body`; a GuestFault of the memory or a device gets this core and the operation's place in
   // front.
   template <class Body>
-  void guarded(const isa::Operation& operation, const Body& body) const {
+  void guarded(const isa::Operation& operation, const Body& body) {
     try {
       body();
     } catch (const GuestFault& problem) {
@@ -175,6 +178,7 @@ class Core {
   isa::ExecutionState state_;
   EventController events_;
   CoreTimer timer_;
+  Protection protection_;
   CallProfile calls_;
   BlockBuilder builder_;
 

@@ -62,6 +62,16 @@ void Core::take_due_events() {
   if (event >= 0) {
     enter(event, current_->address);
   }
+  if (protection_.guards_fetch()) {
+    turn_.horizon = 0;
+    if (const int cause = protection_.check_fetch(current_->address, !events_.user_mode())) {
+      if (events_.handler(kException) == 0 || events_.level() <= kException) {
+        throw GuestFault(fmt::format("{}: the fetch at {} is exception {:#x}", name_of(id_),
+                                     place(current_->first_packet), cause));
+      }
+      enter_exception(cause, current_->address);
+    }
+  }
   step_due_ = single_step_ && events_.level() > kException;
   if (step_due_) {
     turn_.horizon = 0;
@@ -115,9 +125,7 @@ void Core::enter(int event, Address back) {
   const int from = events_.level();
   if (event == kReset) {
     port_.halt(number_, 0, "", state_.time);
-    halted_ = true;
-    turn_.horizon = 0;
-    return;
+    throw Trap{.kind = Trap::Kind::halted};
   }
   auto& reg = state_.reg;
   if (from == kUser) {
@@ -141,6 +149,9 @@ void Core::enter(int event, Address back) {
 }
 
 void Core::enter_exception(int cause, Address back) {
+  if (cause != kFetchMiss && cause != kFetchProtection && cause != kFetchMultipleHits) {
+    protection_.note_instruction(back, !events_.user_mode());
+  }
   std::uint32_t& status = state_.reg[isa::SEQSTAT];
   status = (status & ~kExceptionCauseBits) | static_cast<std::uint32_t>(cause);
   enter(kException, back);
@@ -171,13 +182,6 @@ void Core::leave_event(const Operation& operation, SystemAction action) {
 void Core::require_supervisor(const Operation& operation, const char* what) const {
   if (events_.user_mode()) {
     raise_exception(operation, kSupervisorResource, fmt::format("{} in user mode", what));
-  }
-}
-
-void Core::check_device_access(const Operation& operation, Address address) const {
-  if (events_.user_mode()) {
-    raise_exception(operation, kDataProtection,
-                    fmt::format("access to the register at {:#010x} in user mode", address));
   }
 }
 
@@ -254,10 +258,12 @@ void Core::configure(const Operation& operation) {
   look_for_events(operation);
 }
 
-// Single steps need blocks of one packet, exceptions packets that can be undone.
+// Single steps and checked fetches need blocks of one packet, exceptions packets that can be
+// undone.
 void Core::choose_block_style(const Operation& operation) {
   const bool save = events_.handler(kException) != 0;
-  const std::uint32_t packets = single_step_ ? 1 : BlockBuilder::kMaxPackets;
+  const bool one_by_one = single_step_ || protection_.guards_fetch();
+  const std::uint32_t packets = one_by_one ? 1 : BlockBuilder::kMaxPackets;
   if (builder_.set_style(packets, save ? save_packet : nullptr)) {
     forget_blocks();
     turn_.horizon = 0;
@@ -316,6 +322,11 @@ void Core::act(const Operation& operation, SystemAction action, std::uint32_t va
       break;
     case SystemAction::privileged:
       require_supervisor(operation, "a supervisor's register");
+      break;
+    case SystemAction::pop_usp:
+      if (events_.user_mode()) {
+        raise_exception(operation, kIllegalCombination, "a pop of USP in user mode");
+      }
       break;
     case SystemAction::configure:
       configure(operation);

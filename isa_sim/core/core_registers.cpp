@@ -1,5 +1,9 @@
-// The registers of the core itself, from 0xFFE00000: events, timer, identity.
+// The registers of the core itself, from 0xFFE00000: protection, events, timer, identity; and what
+// may not be accessed.
+#include <fmt/format.h>
+
 #include <isa_sim/core/core.hpp>
+#include <isa_sim/core/placed.hpp>
 
 namespace finback::core {
 
@@ -16,7 +20,65 @@ bool within(Address address, Address first, Address last) {
   return address >= first && address <= last;
 }
 
+// Whether `operation` is the access of its packet's last slot.
+bool by_second_generator(const ir::PlacedPacket& packet, const Operation& operation) {
+  constexpr std::size_t kLastSlot = 2;
+  if (packet.count <= kLastSlot) {
+    return false;
+  }
+  const Operation last = operation_of(packet.slots[kLastSlot], packet);
+  const Operation middle = operation_of(packet.slots[kLastSlot - 1], packet);
+  const auto same = [&operation](const Operation& other) {
+    return other.execute == operation.execute && other.operand == operation.operand;
+  };
+  return same(last) && !same(middle);
+}
+
 }  // namespace
+
+void Core::check_access(const Operation& operation, Address address, int bytes, bool write) {
+  if (!protection_.guards_data() && address >= isa::kDeviceBase && !events_.user_mode() &&
+      image_.packets[operation.site].count == 1) {
+    return;
+  }
+  const int cause = protection_.check_data(
+      {.address = address,
+       .bytes = bytes,
+       .write = write,
+       .supervisor = !events_.user_mode(),
+       .second = by_second_generator(image_.packets[operation.site], operation)});
+  if (cause == kMisalignedAccess) {
+    raise_exception(operation, cause, memory_.core_fault(number_, address, bytes, write));
+  }
+  if (cause != 0) {
+    raise_exception(
+        operation, cause,
+        fmt::format("{} of {} byte{} at {:#010x} is not allowed {}", write ? "store" : "load",
+                    bytes, bytes == 1 ? "" : "s", address,
+                    events_.user_mode() ? "in user mode" : "to this address generator"));
+  }
+}
+
+void Core::no_register(const Operation& operation, Address address, int bytes, bool write) {
+  protection_.note_data_fault({.address = address,
+                               .bytes = bytes,
+                               .write = write,
+                               .supervisor = !events_.user_mode(),
+                               .second = false},
+                              false);
+  raise_exception(operation, kSupervisorResource,
+                  fmt::format("{} of {} byte{} at {:#010x}: no such core register",
+                              write ? "write" : "read", bytes, bytes == 1 ? "" : "s", address));
+}
+
+// CPLBs were enabled: no access takes the short way any more.
+void Core::check_every_access() {
+  for (const auto& block : blocks_) {
+    for (Operation* o = block->operations.get(); o->execute != BlockBuilder::leave(); ++o) {
+      o->window = no_window();
+    }
+  }
+}
 
 bool Core::read_register(const Operation& operation, Address address, int bytes,
                          std::uint32_t& value) {
@@ -27,6 +89,9 @@ bool Core::read_register(const Operation& operation, Address address, int bytes,
     check_timer(now(operation));
     look_for_events(operation);
     return events_.read(address, state_.interrupt_mask, value);
+  }
+  if (within(address, Protection::kFirstRegister, Protection::kLastRegister)) {
+    return protection_.read(address, value);
   }
   if (within(address, CoreTimer::kFirstRegister, CoreTimer::kLastRegister)) {
     check_timer(now(operation));
@@ -55,6 +120,14 @@ bool Core::write_register(const Operation& operation, Address address, int bytes
     choose_block_style(operation);
     look_for_events(operation);  // the mask may let an interrupt in
     return true;
+  }
+  if (within(address, Protection::kFirstRegister, Protection::kLastRegister)) {
+    const bool known = protection_.write(address, value);
+    choose_block_style(operation);
+    if (protection_.guards_data()) {
+      check_every_access();
+    }
+    return known;
   }
   if (within(address, CoreTimer::kFirstRegister, CoreTimer::kLastRegister)) {
     check_timer(now(operation));

@@ -30,8 +30,12 @@ const Operation* Core::save_packet(isa::ExecutionState& state, const Operation* 
 void Core::handle(const Trap& trap) {
   uproot();
   state_.retry = nullptr;
-  if (trap.kind == Trap::Kind::fetch) {
-    handle_fetch(trap);
+  if (trap.operation == nullptr) {
+    if (trap.kind == Trap::Kind::fetch) {
+      handle_fetch(trap);
+    } else {
+      halted_ = true;  // by a reset, between blocks
+    }
     return;
   }
   const Operation& operation = *trap.operation;

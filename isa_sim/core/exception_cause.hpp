@@ -10,11 +10,15 @@ namespace finback::core {
 enum ExceptionCause : int {
   kSingleStep = 0x10,
   kUndefinedInstruction = 0x21,
-  kMisalignedAccess = 0x24,
+  kIllegalCombination = 0x22,
   kDataProtection = 0x23,
+  kMisalignedAccess = 0x24,
+  kDataMiss = 0x26,
+  kDataMultipleHits = 0x27,
   kMisalignedFetch = 0x2A,
   kFetchProtection = 0x2B,
   kFetchMiss = 0x2C,
+  kFetchMultipleHits = 0x2D,
   kSupervisorResource = 0x2E,
 };
 inline constexpr std::uint32_t kExceptionCauseBits = 0x3F;

@@ -11,7 +11,7 @@ struct Core::Trap {
     exception,  // `operation` cannot be completed; its packet is undone
     fetch,      // the block is done, but at `address` is no instruction
     boundary,   // the packet of `operation` shall begin a block
-    halted,     // `operation` ended the program
+    halted,     // `operation` ended the program; without one, a reset did
   };
   Kind kind = Kind::exception;
   const isa::Operation* operation = nullptr;

@@ -66,6 +66,7 @@ enum class SystemAction : std::uint8_t {
   read_cycles,    // CYCLES and CYCLES2 shall hold the time
   write_cycles,   // value: the low word
   write_cycles2,  // value: the high word
+  pop_usp,        // asked before USP is popped
   saved_return,   // RETI was pushed: interrupts are let in
   loaded_return,  // RETI was popped: they are held back
   // The instructions of table_debug.cpp.

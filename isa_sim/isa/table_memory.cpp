@@ -82,6 +82,9 @@ const Operation* pop(ExecutionState& s, const Operation* o) {
     return nullptr;
   }
   const Address next = s.reg[SP] + 4;
+  if ((*o)[0] == USP) {
+    system(s, *o, SystemAction::pop_usp);
+  }
   write_any(s, *o, (*o)[0], value);
   s.reg[SP] = next;
   if ((*o)[0] == RETI) {
