@@ -6,6 +6,7 @@
 #include <common/error.hpp>
 #include <common/file.hpp>
 #include <common/parameter.hpp>
+#include <isa_sim/assembler/assemble.hpp>
 #include <runner/run_firmware.hpp>
 
 namespace finback::runner {
@@ -35,7 +36,8 @@ fs::path firmware_file(const std::string& name) {
     return fs::path(name) / kManifest;
   }
   const std::string extension = fs::path(name).extension().string();
-  if (extension == ".toml" || extension == ".bir" || name.find('/') != std::string::npos) {
+  if (extension == ".toml" || extension == ".bir" || assembler::is_assembler_file(name) ||
+      name.find('/') != std::string::npos) {
     return name;
   }
   const fs::path folder = share_folder() / "firmware";
@@ -52,7 +54,8 @@ fs::path firmware_file(const std::string& name) {
   return installed;
 }
 
-// Identifies a firmware by all BIR and TOML files of its folder, in the order of their names.
+// Identifies a firmware by all BIR, assembler and TOML files of its folder, in the order of their
+// names.
 std::string firmware_hash(const fs::path& file) {
   if (file.filename() != kManifest) {
     return report::content_hash(read_text_file(file));
@@ -60,7 +63,9 @@ std::string firmware_hash(const fs::path& file) {
   std::vector<fs::path> parts;
   for (const auto& entry : fs::directory_iterator(fs::absolute(file).parent_path())) {
     const std::string extension = entry.path().extension().string();
-    if (entry.is_regular_file() && (extension == ".bir" || extension == ".toml")) {
+    const bool part = extension == ".bir" || extension == ".toml" || extension == ".inc" ||
+                      assembler::is_assembler_file(entry.path());
+    if (entry.is_regular_file() && part) {
       parts.push_back(entry.path());
     }
   }

@@ -36,6 +36,9 @@ Names names_of(const ir::FirmwareUnits& units, ir::Owner owner) {
     for (const ir::Function& function : unit->functions) {
       add_once(names.functions, ir::c_name(function.name));
     }
+    for (const ir::Piece& piece : unit->pieces) {
+      add_once(piece.code ? names.functions : names.objects, ir::c_name(piece.name));
+    }
   }
   if (!shared && units.cores[core].present) {
     names.objects.emplace_back(ir::kStackName);

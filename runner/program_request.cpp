@@ -56,15 +56,9 @@ ir::Program load_unit(const fs::path& path, const assembler::Options& options) {
   return program;
 }
 
-// Whether code begins at this name in one of the units.
 bool defines(const std::vector<ir::Program>& units, std::string_view name) {
-  return std::ranges::any_of(units, [name](const ir::Program& unit) {
-    const bool piece = std::ranges::any_of(unit.pieces, [name](const ir::Piece& candidate) {
-      return candidate.code &&
-             std::ranges::count(candidate.labels, name, &ir::PieceLabel::name) > 0;
-    });
-    return piece || std::ranges::count(unit.functions, name, &ir::Function::name) > 0;
-  });
+  return std::ranges::any_of(
+      units, [name](const ir::Program& unit) { return ir::defines_code(unit, name); });
 }
 
 // The entry of a core's units, which may get a start-up or a name for their first instruction.

@@ -180,6 +180,7 @@ void Assembler::read_labels(Statement& statement) {
     if (name.empty() || !rest.starts_with(':')) {
       return;
     }
+    const std::string_view next = without_blanks_around(rest.substr(1));
     if (name[0] >= '0' && name[0] <= '9') {
       if (name.size() > 9 || name.find_first_not_of("0123456789") != std::string_view::npos) {
         fail(statement, name, fmt::format("'{}' is neither a number nor a name", name));
@@ -187,7 +188,6 @@ void Assembler::read_labels(Statement& statement) {
       define_label(symbols_.begin_numbered(std::stoll(std::string(name))), statement, name,
                    section().location());
     } else {
-      const std::string_view next = without_blanks_around(rest.substr(1));
       if (is_register(name) && !next.empty() && next[0] >= '0' && next[0] <= '9') {
         return;  // R1:0
       }
@@ -196,7 +196,10 @@ void Assembler::read_labels(Statement& statement) {
       }
       define_label(symbols_.get(name), statement, name, section().location());
     }
-    statement.text = without_blanks_around(rest.substr(1));
+    statement.text = next;
+    if (!next.empty()) {
+      statement.offset = static_cast<std::size_t>(next.data() - statement.source->text().data());
+    }
     statement_ = &statement;
   }
 }
@@ -276,13 +279,14 @@ ExpressionPointer Assembler::read_expression(Directive& directive, std::string_v
     fail(directive, fmt::format("{} wants {}", directive.name, wanted));
   }
   const std::size_t start = directive.position;
-  ExpressionPointer expression =
-      ExpressionReader(directive.tokens, *this, ExpressionReader::Precedence::directives)
-          .read(start, directive.position);
+  ExpressionReader reader(directive.tokens, *this, ExpressionReader::Precedence::directives);
+  ExpressionPointer expression = reader.read(start, directive.position);
   if (expression == nullptr) {
     directive.position = start;
-    fail(directive,
-         fmt::format("'{}' cannot stand here: {} is wanted", directive.tokens[start].text, wanted));
+    fail(directive, reader.too_long()
+                        ? std::string("this expression is too long: set symbols to parts of it")
+                        : fmt::format("'{}' cannot stand here: {} is wanted",
+                                      directive.tokens[start].text, wanted));
   }
   return expression;
 }
@@ -321,7 +325,8 @@ void Assembler::set_symbol(Symbol& symbol, const ExpressionPointer& expression,
     source_.fail(place, fmt::format("{} is set to itself", symbol.name));
   } else {
     symbol.kind = Symbol::Kind::equated;
-    symbol.equated = expression;
+    symbol.equated =
+        value.is_address() ? make_sum(symbols_.get(value.symbol->name), value.number) : expression;
   }
   symbol.defined = place;
 }

@@ -230,8 +230,14 @@ Value evaluate(const Expression& expression) {
   return evaluate_at(expression, 0, steps);
 }
 
+ExpressionPointer make_sum(Symbol& symbol, std::int64_t number) {
+  return number == 0 ? make_symbol(symbol)
+                     : make_operation("+", make_symbol(symbol), make_number(number));
+}
+
 ExpressionPointer ExpressionReader::read(std::size_t start, std::size_t& end) {
   position_ = start;
+  too_long_ = false;
   ExpressionPointer expression = binary(1, 0);
   end = position_;
   return expression;
@@ -267,6 +273,7 @@ ExpressionPointer ExpressionReader::binary(int lowest, int depth) {
     }
     left = make_operation(sign, std::move(left), std::move(right));
     if (left->depth > kDeepestTree) {
+      too_long_ = true;
       return nullptr;
     }
   }
@@ -275,6 +282,7 @@ ExpressionPointer ExpressionReader::binary(int lowest, int depth) {
 
 ExpressionPointer ExpressionReader::primary(int depth) {
   if (position_ >= tokens_.size() || depth > kDeepest) {
+    too_long_ = too_long_ || depth > kDeepest;
     return nullptr;
   }
   const Token& token = tokens_[position_];
@@ -291,6 +299,9 @@ ExpressionPointer ExpressionReader::primary(int depth) {
     ++position_;
     if (symbol->kind == Symbol::Kind::number) {  // as it is now: it may be set again
       return make_number(symbol->number);
+    }
+    if (symbol->kind == Symbol::Kind::equated) {
+      return symbol->equated;
     }
     return make_symbol(*symbol);
   }

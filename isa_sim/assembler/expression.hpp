@@ -42,6 +42,9 @@ struct Value {
 // As far as symbols are defined now.
 [[nodiscard]] Value evaluate(const Expression& expression);
 
+// A symbol plus a number.
+[[nodiscard]] std::shared_ptr<const Expression> make_sum(Symbol& symbol, std::int64_t number);
+
 // Reads expressions in a list of tokens.
 class ExpressionReader {
  public:
@@ -61,6 +64,8 @@ class ExpressionReader {
   // The longest expression that begins at token `start`; nullptr when none does. `end`: the token
   // behind it.
   [[nodiscard]] ExpressionPointer read(std::size_t start, std::size_t& end);
+  // The last one was none because it has more operators, or nests deeper, than any is allowed to.
+  [[nodiscard]] bool too_long() const { return too_long_; }
 
  private:
   static constexpr int kDeepest = 100;       // parentheses and signs in each other
@@ -74,6 +79,7 @@ class ExpressionReader {
   Names& names_;
   Precedence precedence_;
   std::size_t position_ = 0;
+  bool too_long_ = false;
 };
 
 }  // namespace finback::assembler

@@ -4,6 +4,7 @@
 
 #include <common/file.hpp>
 #include <common/toml_reader.hpp>
+#include <isa_sim/assembler/assemble.hpp>
 #include <isa_sim/ir/firmware.hpp>
 #include <isa_sim/ir/parser.hpp>
 #include <isa_sim/ir/verifier.hpp>
@@ -118,10 +119,6 @@ Firmware load_manifest(const fs::path& path) {
   return firmware;
 }
 
-bool defines(const Program& program, std::string_view function) {
-  return std::ranges::find(program.functions, function, &Function::name) != program.functions.end();
-}
-
 }  // namespace
 
 Firmware bare_firmware(Program program) {
@@ -130,8 +127,8 @@ Firmware bare_firmware(Program program) {
   firmware.units.path = program.path;
   CoreUnits& core = firmware.units.cores[0];
   core.present = true;
-  if (!defines(program, core.entry)) {
-    if (!defines(program, "_main")) {
+  if (!defines_code(program, core.entry)) {
+    if (!defines_code(program, "_main")) {
       throw InputError(program.path + ": has neither a function _start nor a function _main");
     }
     core.units.push_back(std::make_shared<const Program>(parse(bare_start_text(), "(start-up)")));
@@ -142,7 +139,7 @@ Firmware bare_firmware(Program program) {
 }
 
 Firmware load_firmware(const fs::path& path) {
-  if (path.extension() == ".bir") {
+  if (path.extension() == ".bir" || assembler::is_assembler_file(path)) {
     return bare_firmware(load_program(path));
   }
   return load_manifest(path);

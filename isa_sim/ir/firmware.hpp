@@ -35,7 +35,7 @@ struct Stage {
 
 struct FirmwareUnits {
   std::string name;
-  std::string path;  // firmware.toml, or the bare BIR file
+  std::string path;  // firmware.toml, or the bare file
   std::array<CoreUnits, kCoreCount> cores;
   std::vector<Unit> shared;
   std::vector<Stage> stages;  // in the order of the manifest
@@ -46,10 +46,10 @@ struct Firmware {
   Placement placement;
 };
 
-// Reads a manifest, its units (verified) and its placement; or a bare `.bir` file as a firmware of
-// core A with the default placement, entered at `_start` or, where there is none, at a start-up of
-// our own that calls `_main`, writes its result to the host port's EXIT register and idles.
-// Throws InputError naming file and line.
+// Reads a manifest, its units (verified) and its placement; or a bare `.bir` or `.s` file as a
+// firmware of core A with the default placement, entered at `_start` or, where there is none, at a
+// start-up of our own that calls `_main`, writes its result to the host port's EXIT register and
+// idles. Throws InputError naming file and line.
 [[nodiscard]] Firmware load_firmware(const std::filesystem::path& path);
 
 // The same for one program in memory.

@@ -30,6 +30,13 @@ void order_slots(Packet& packet, std::span<const isa::Instruction> table) {
   });
 }
 
+bool defines_code(const Program& program, std::string_view symbol) {
+  const bool label = std::ranges::any_of(program.pieces, [symbol](const Piece& piece) {
+    return piece.code && std::ranges::count(piece.labels, symbol, &PieceLabel::name) > 0;
+  });
+  return label || std::ranges::count(program.functions, symbol, &Function::name) > 0;
+}
+
 bool same_program(const Program& one, const Program& other) {
   return one.source_files == other.source_files &&
          std::ranges::equal(one.functions, other.functions, same_function) &&

@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <common/error.hpp>
@@ -108,7 +109,10 @@ struct Program {
   std::vector<Constant> constants;
 };
 
-// Whether two programs say the same; where they are written does not count.
+// Whether code begins at this symbol: a function, or a label of a piece with instructions.
+[[nodiscard]] bool defines_code(const Program& program, std::string_view symbol);
+
+// Whether two BIR programs say the same; where they are written does not count.
 [[nodiscard]] bool same_program(const Program& one, const Program& other);
 
 // A symbol as C spells it: without one leading underscore.

@@ -271,7 +271,7 @@ class Tokenizer {
     if (kSingleSigns.find(c) == std::string_view::npos) {
       const bool printable = c > ' ' && c < '\x7f';
       fail(printable ? fmt::format("'{}' cannot stand here", c)
-                     : fmt::format("byte 0x{:02x} cannot stand here: BIR is plain ASCII text",
+                     : fmt::format("byte 0x{:02x} cannot stand here: programs are plain ASCII text",
                                    static_cast<unsigned char>(c)));
     }
     ++position_;
