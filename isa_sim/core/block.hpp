@@ -35,7 +35,6 @@ struct Block {
   std::uint32_t entry_state = 0;  // of the pipeline
   BlockEnd ends = BlockEnd::falls_through;
   bool may_end_loop = false;  // its last packet is the bottom of a hardware loop
-  bool has_end_work = false;  // a call or return to note, or a jump from the bottom of a loop
   Address last_packet_address = 0;
 
   Cycles cycles = 0;      // issue, interlocks and fetch of all packets

@@ -59,6 +59,31 @@ Flow flow_of(const ir::PlacedPacket& packet) { return info_of(packet.slots[0]).f
 
 bool ends_block(Flow flow) { return flow != Flow::none && flow != Flow::loop_setup; }
 
+// Stands before a change of flow at the bottom of a loop and carries it out: where control leaves,
+// the pass counts, but does not lead to the top. What is called from there returns to where the
+// pass would have led.
+template <bool call>
+const Operation* leave_bottom(isa::ExecutionState& state, const Operation* operation) {
+  const Operation* flow = operation + 1;
+  flow->execute(state, flow);
+  if (state.retry != nullptr || state.next_address == flow->address + flow->length) {
+    return nullptr;
+  }
+  auto& reg = state.reg;
+  for (const std::size_t loop : {std::size_t{1}, std::size_t{0}}) {
+    if (reg[isa::LC0 + loop] == 0 || reg[isa::LB0 + loop] != flow->address) {
+      continue;
+    }
+    if (--reg[isa::LC0 + loop] != 0) {
+      if (call) {
+        reg[isa::RETS] = reg[isa::LT0 + loop];
+      }
+      break;
+    }
+  }
+  return nullptr;
+}
+
 // Control leaves anyway, be it to the very next packet.
 void refill_always(Block& block, Cycles cycles) {
   block.taken_extra = cycles;
@@ -137,8 +162,11 @@ std::unique_ptr<Block> BlockBuilder::build(Address address, std::uint32_t state,
   block.may_end_loop = loop_bottoms_.contains(last->address);
   block.exit_state = states_.number_of(draft.state);
   set_exit(block, *last);
-  block.has_end_work =
-      block.ends >= BlockEnd::call || (block.may_end_loop && block.ends != BlockEnd::falls_through);
+  if (block.may_end_loop && block.ends != BlockEnd::falls_through) {
+    Operation bottom = draft.operations.back();
+    bottom.execute = block.ends == BlockEnd::call ? leave_bottom<true> : leave_bottom<false>;
+    draft.operations.insert(draft.operations.end() - 1, bottom);
+  }
   Operation leave;
   leave.execute = leave_block;
   draft.operations.push_back(leave);

@@ -244,8 +244,8 @@ void Core::finish_block(Block& block) {
     }
   }
   current_ = successor(block, next, taken);
-  if (block.has_end_work) {
-    end_work(block, next, taken);
+  if (block.ends >= BlockEnd::call) {
+    note_call_or_return(block, next);
   }
 }
 
@@ -290,34 +290,6 @@ bool Core::loop_back(const Block& block) {
     }
   }
   return false;
-}
-
-// What follows calls, returns, and jumps from the bottom of a loop.
-void Core::end_work(const Block& block, Address next, bool taken) {
-  if (block.may_end_loop && taken) {
-    count_down_loops(block);
-  }
-  note_call_or_return(block, next);
-}
-
-// Control leaves the bottom of a loop by a jump: the pass counts, but does not lead to the top.
-// What is called from there returns to where the pass would have led.
-void Core::count_down_loops(const Block& block) {
-  auto& reg = state_.reg;
-  if (block.ends == BlockEnd::call) {
-    for (const std::size_t loop : {std::size_t{1}, std::size_t{0}}) {
-      if (reg[isa::LC0 + loop] > 1 && reg[isa::LB0 + loop] == block.last_packet_address) {
-        reg[isa::RETS] = reg[isa::LT0 + loop];
-        break;
-      }
-    }
-  }
-  for (const std::size_t loop : {std::size_t{1}, std::size_t{0}}) {
-    if (reg[isa::LC0 + loop] != 0 && reg[isa::LB0 + loop] == block.last_packet_address &&
-        --reg[isa::LC0 + loop] != 0) {
-      break;
-    }
-  }
 }
 
 void Core::note_call_or_return(const Block& block, Address next) {

@@ -84,9 +84,7 @@ class Core {
   [[nodiscard]] Block* successor(Block& block, Address next, bool refill);
   [[nodiscard]] bool loop_back(const Block& block);
   void finish_block(Block& block);
-  void end_work(const Block& block, Address next, bool taken);
   void note_call_or_return(const Block& block, Address next);
-  void count_down_loops(const Block& block);
   void wake(Cycles at);
   void run_blocks();
 

@@ -65,7 +65,6 @@ void Core::handle_fetch(const Trap& trap) {
   const Address target = trap.address;
   Block& block = *current_;
   const std::uint32_t last = block.first_packet + block.packet_count - 1;
-  const bool taken = target != block.end;
   if (events_.handler(kException) == 0 || events_.level() <= kException) {
     throw GuestFault(fmt::format("{}: jump to {:#010x}, where no instruction is from {}",
                                  name_of(id_), target, place(last)));
@@ -79,8 +78,8 @@ void Core::handle_fetch(const Trap& trap) {
     enter_exception(kMisalignedFetch, block.last_packet_address);
     return;
   }
-  if (block.has_end_work) {
-    end_work(block, target, taken);
+  if (block.ends >= BlockEnd::call) {
+    note_call_or_return(block, target);
   }
   if (exception_due_ >= 0) {
     enter_exception(std::exchange(exception_due_, -1), target);

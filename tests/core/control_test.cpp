@@ -56,6 +56,24 @@ constexpr Program kFlow[] = {
      "P1 = 32; P2 = P1; P3 = P1; P4 = P1; PREFETCH [P1++]; FLUSH [P2++]; FLUSHINV [P3++];"
      "IFLUSH [P4++]; PREFETCH [P1]; FLUSH [P2]; FLUSHINV [P3]; IFLUSH [P4];"
      "DBGAL (P1, 64); DBGAL (P2, 64); DBGAL (P3, 64); DBGAL (P4, 64);"},
+    // LSETUP's loops may not end so; loops written by hand may.
+    {"jump_from_the_bottom_counts_the_pass",
+     "R3.L = .Ltop; R3.H = .Ltop; LT0 = R3; R3.L = .Lend; R3.H = .Lend; LB0 = R3; R3 = 4; LC0 = R3;"
+     "R1 = 0; .Ltop: R1 += 1; CC = R1 == 2; .Lend: IF CC JUMP .Lout; ABORT; .Lout: R2 = LC0;"
+     "DBGA (R1.L, 2); DBGA (R2.L, 2);"},
+    {"call_from_the_bottom_returns_to_the_top",
+     "R3.L = .Ltop; R3.H = .Ltop; LT1 = R3; R3.L = .Lend; R3.H = .Lend; LB1 = R3; R3 = 3; LC1 = R3;"
+     "R1 = 0; R2 = 0; .Ltop: R2 += 1; .Lend: CALL _five; DBGA (R1.L, 15); DBGA (R2.L, 3);"
+     "R2 = LC1; DBGA (R2.L, 0);",
+     ".type _five, @function\n_five: R1 += 5; RTS;\n.size _five, .-_five\n"},
+    {"count_written_in_the_loop",
+     "P1 = 9; R1 = 0; R2 = 2; LSETUP (.Ltop, .Lend) LC0 = P1; .Ltop: R1 += 1; CC = R1 == 3;"
+     "IF !CC JUMP .Lend; LC0 = R2; .Lend: NOP; DBGA (R1.L, 4);"},
+    {"two_loops_with_one_bottom",
+     "P1 = 3; P2 = 2; R1 = 0; R2 = 0; LSETUP (.Louter, .Lend) LC0 = P2; .Louter: R2 += 1;"
+     "LSETUP (.Linner, .Lend) LC1 = P1; .Linner: R1 += 1; .Lend: NOP; DBGA (R1.L, 6);"
+     "DBGA (R2.L, 2);"},
+    {"loop_top_has_an_even_address", "R1 = -1; LT0 = R1; R2 = LT0; DBGAL (R2, 0xFFFE);"},
     {"testset_in_l1",
      "P1.L = _lock; P1.H = _lock; TESTSET (P1); R1 = CC; TESTSET (P1); R2 = CC;"
      "R3 = B[P1] (Z); DBGA (R1.L, 1); DBGA (R2.L, 0); DBGA (R3.L, 0x80);",
