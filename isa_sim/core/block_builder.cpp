@@ -160,13 +160,14 @@ std::unique_ptr<Block> BlockBuilder::build(Address address, std::uint32_t state,
   block.last_packet_address = last->address;
   block.end = last->address + last->length;
   block.may_end_loop = loop_bottoms_.contains(last->address);
-  block.exit_state = states_.number_of(draft.state);
   set_exit(block, *last);
   if (block.may_end_loop && block.ends != BlockEnd::falls_through) {
     Operation bottom = draft.operations.back();
     bottom.execute = block.ends == BlockEnd::call ? leave_bottom<true> : leave_bottom<false>;
     draft.operations.insert(draft.operations.end() - 1, bottom);
   }
+  draft.state.advance(block.fall_extra);
+  block.exit_state = states_.number_of(draft.state);
   Operation leave;
   leave.execute = leave_block;
   draft.operations.push_back(leave);

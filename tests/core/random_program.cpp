@@ -36,20 +36,13 @@ class Generator {
     body += "P5 = 3 (X); M0 = P5; P5 = 4 (X); M0 = P5; M1 = P5; M2 = P5; M3 = P5;\n";
     while (packets > 0) {
       const int length = 1 + static_cast<int>(random_() % 12);
-      const bool loop = random_() % 3 == 0;
-      if (loop) {
-        const std::string label = ".Ll" + std::to_string(labels_++);
-        const auto count = 1 + random_() % 5;
-        body += fmt::format("P5 = {} (X);\nLSETUP ({}t, {}e) LC{} = P5;\n{}t:\n", count, label,
-                            label, random_() % 2, label);
-        body += straight(length) + label + "e:\nNOP;\n";
-      } else {
-        body += straight(length);
-      }
+      body += piece(length, 0);
       packets -= length;
     }
+    const std::string leaves = leaf(0) + leaf(1);
     return ".text\n.global _start\n.type _start, @function\n_start:\n" + body +
-           "IDLE;\nRTS;\n.size _start, .-_start\n.data\n.align 4\n.type _buffer, @object\n_buffer: "
+           "IDLE;\nRTS;\n.size _start, .-_start\n" + leaves +
+           ".data\n.align 4\n.type _buffer, @object\n_buffer: "
            ".space 16384\n.size "
            "_buffer, 16384\n";
   }
@@ -71,6 +64,54 @@ class Generator {
       }
     }
     return true;
+  }
+
+  // About `length` packets, `depth` hardware loops deep: straight, or with a loop, a branch over
+  // some of it, a call, or the stack around it.
+  std::string piece(int length, int depth) {
+    const std::string label = ".Ll" + std::to_string(labels_++);
+    switch (random_() % 10) {
+      case 0:
+      case 1:
+      case 2: {
+        if (depth == 2) {
+          return straight(length);
+        }
+        // The inner of two loops is loop 1, and its count stands in a register of its own.
+        const int unit = depth == 1 ? 1 : static_cast<int>(random_() % 2);
+        const std::string inner = unit == 0 ? piece(length / 2 + 1, 1) : straight(length);
+        return fmt::format("P5 = {} (X);\nLSETUP ({}t, {}e) LC{} = P5{};\n{}t:\n{}{}e:\nNOP;\n",
+                           1 + random_() % 5, label, label, unit, random_() % 4 == 0 ? " >> 1" : "",
+                           label, inner, label);
+      }
+      case 3:
+      case 4:
+        return fmt::format("{}IF {}CC JUMP {}{};\n{}{}:\nNOP;\n", compare(),
+                           random_() % 2 == 0 ? "!" : "", label, random_() % 2 == 0 ? " (BP)" : "",
+                           straight(length), label);
+      case 5:
+        return fmt::format("JUMP.S {};\n{}{}:\n", label, straight(1), label) + straight(length);
+      case 6:
+        return fmt::format("CALL _leaf{};\n", random_() % 2) + straight(length);
+      case 7:
+        return fmt::format("[--SP] = R{};\n{}R{} = [SP++];\n", random_() % 8, straight(length),
+                           random_() % 8);
+      case 8:
+        return "[--SP] = (R7:4, P5:3);\nLINK 16;\n" + straight(length) +
+               "UNLINK;\n(R7:4, P5:3) = [SP++];\n";
+      default:
+        return straight(length);
+    }
+  }
+  std::string compare() {
+    static constexpr const char* kRelations[] = {"==", "<", "<="};
+    return fmt::format("CC = R{} {} R{};\n", random_() % 8, kRelations[random_() % 3],
+                       random_() % 8);
+  }
+  std::string leaf(int number) {
+    return fmt::format(
+        ".type _leaf{0}, @function\n_leaf{0}:\n{1}RTS;\n.size _leaf{0}, .-_leaf{0}\n", number,
+        straight(3));
   }
 
   std::string straight(int length) {

@@ -1,4 +1,5 @@
-// Random straight-line and looped programs made from the instruction table, for differential tests.
+// Random programs made from the instruction table, with nested loops, branches, calls and a stack,
+// for differential tests.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +8,7 @@
 namespace finback::core {
 
 // BIR text of a `_start` of about `packets` packets that ends in IDLE, with its data. Deterministic
-// in `seed`. Uses every entry of the table but those that change the flow of control, the stack or
-// the system, each as the seed falls.
+// in `seed`. Uses every entry of the table but those that ask the system, each as the seed falls.
 [[nodiscard]] std::string random_program(std::uint32_t seed, int packets);
 
 }  // namespace finback::core
