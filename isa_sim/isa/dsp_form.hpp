@@ -18,6 +18,12 @@ constexpr Instruction early_dsp_form(std::string_view syntax, Execute execute,
   return form;
 }
 
+// With a second way to write it.
+constexpr Instruction also(Instruction form, std::string_view spelling) {
+  form.also = spelling;
+  return form;
+}
+
 // With registers that do not stand among the operands.
 constexpr Instruction with_implicit(Instruction form, std::uint32_t implicit) {
   form.implicit = implicit;

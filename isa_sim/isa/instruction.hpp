@@ -89,8 +89,9 @@ using Check = std::string_view (*)(const OperandNumbers& operand);
 using Prepare = void (*)(const OperandNumbers& operand, Operation& operation);
 
 struct Instruction {
-  std::string_view syntax;  // operands by kind and role, see OperandKind
-  int length = 2;           // bytes
+  std::string_view syntax;     // operands by kind and role, see OperandKind
+  std::string_view also = {};  // another way to write it, with the same operands; never printed
+  int length = 2;              // bytes
   Slot slot = Slot::alone;
   Issue issue = Issue::one;
   Result result = Result::alu;

@@ -60,6 +60,8 @@ class PatternTree {
 
   // Entry `entry` of the table; where two have the same syntax, both are noted.
   void add(int entry, Pattern pattern);
+  // Another pattern that reads as `entry`, which was added before.
+  void add_spelling(int entry, const Pattern& pattern) { add_steps(entry, pattern.steps); }
 
   [[nodiscard]] const std::vector<Pattern>& patterns() const { return patterns_; }
   [[nodiscard]] const Node& node(int index) const {

@@ -176,6 +176,17 @@ inline void advance_index(ExecutionState& s, std::int32_t index, std::int32_t st
   value = length == 0 ? value + static_cast<std::uint32_t>(step)
                       : wrapped(value, step, s.reg[B0 + number], length);
 }
+// Subtracts; by nothing at all, an index below its buffer comes in and one above stays.
+inline void retreat_index(ExecutionState& s, std::int32_t index, std::int32_t step) {
+  if (step != 0) {
+    advance_index(s, index, -step);
+    return;
+  }
+  const auto number = static_cast<std::size_t>(index - I0);
+  if (reg(s, index) < s.reg[B0 + number]) {
+    reg(s, index) += s.reg[L0 + number];
+  }
+}
 // Addition with the carry running to the right, for the order of an FFT's results.
 [[nodiscard]] inline std::uint32_t add_reversed(std::uint32_t a, std::uint32_t b) {
   const auto reverse = [](std::uint32_t word) {
@@ -372,7 +383,7 @@ inline void advance_base(ExecutionState& s, const Operation& o, int base) {
   if constexpr (walk == Walk::up || walk == Walk::down || walk == Walk::by_register) {
     std::int32_t step = walk == Walk::up ? bytes : -bytes;
     if constexpr (walk == Walk::by_register) {
-      step = signed_reg(s, o[base + 1]);
+      step = o[base] == o[base + 1] ? 0 : signed_reg(s, o[base + 1]);  // [P0++P0] stays
     }
     if (o[base] >= I0 && o[base] <= I3) {
       advance_index(s, o[base], step);

@@ -90,6 +90,9 @@ Syntax::Syntax(std::span<const Instruction> table)
     : table_(table), compiled_(std::make_unique<Compiled>()) {
   for (std::size_t i = 0; i < table.size(); ++i) {
     compiled_->tree.add(static_cast<int>(i), compile_pattern(table[i].syntax));
+    if (!table[i].also.empty()) {
+      compiled_->tree.add_spelling(static_cast<int>(i), compile_pattern(table[i].also));
+    }
   }
 }
 

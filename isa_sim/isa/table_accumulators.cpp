@@ -37,6 +37,7 @@ int64_t clip32(int64_t exact) { return std::clamp(exact, -kMaximum32 - 1, kMaxim
 
 template <int unit>
 constexpr auto kClear = [](ExecutionState& s, const Operation&) { s.accumulator[unit] = 0; };
+constexpr auto kClearBoth = [](ExecutionState& s, const Operation&) { s.accumulator = {0, 0}; };
 template <int to>
 constexpr auto kCopy =
     [](ExecutionState& s, const Operation&) { s.accumulator[to] = s.accumulator[1 - to]; };
@@ -245,10 +246,7 @@ constexpr Instruction kTable[] = {
     // moves
     implicit_form("A0 = 0", kWritesA0, plain<kClear<0>>),
     implicit_form("A1 = 0", kWritesA1, plain<kClear<1>>),
-    implicit_form("A1 = A0 = 0", kWritesA0 | kWritesA1,
-                  plain<[](ExecutionState& s, const Operation&) {
-                    s.accumulator = {0, 0};
-                  }>),
+    also(implicit_form("A1 = A0 = 0", kWritesA0 | kWritesA1, plain<kClearBoth>), "A0 = A1 = 0"),
     implicit_form("A0 = A1", kReadsA1 | kWritesA0, plain<kCopy<0>>),
     implicit_form("A1 = A0", kReadsA0 | kWritesA1, plain<kCopy<1>>),
     implicit_form("A0 = {D}", kWritesA0, plain<kFromRegister<0>>, "sign-extended"),

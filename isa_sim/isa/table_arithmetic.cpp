@@ -182,7 +182,7 @@ constexpr Instruction kTable[] = {
      .slot = Slot::access,
      .result = Result::pointer,
      .execute = plain<[](ExecutionState& s, const Operation& o) {
-       advance_index(s, o[0], -signed_reg(s, o[1]));
+       retreat_index(s, o[0], signed_reg(s, o[1]));
      }>},
     {.syntax = "{I@+} += 2",
      .length = 2,

@@ -55,7 +55,9 @@ void access_law(Trial& t) {
   if (has(access.inside, " + {")) {
     address += static_cast<Address>(t.number(i++));
   } else if (has(access.inside, "}++{")) {
-    t.set_register(base, stepped(t, base, t.value(i++)));
+    const Exact step = t.reg(i) == base ? 0 : t.value(i);
+    t.set_register(base, stepped(t, base, step));
+    ++i;
   } else if (access.inside.ends_with("++") || access.inside.ends_with("--")) {
     t.set_register(base,
                    stepped(t, base, access.inside.ends_with("++") ? access.bytes : -access.bytes));
@@ -127,6 +129,9 @@ constexpr Law kLaws[] = {
      }},
     {"{G!} = [SP++]",
      [](Trial& t) {
+       if (t.number(0) == USP) {
+         t.act(SystemAction::pop_usp);
+       }
        set_any_register(t, t.number(0), t.load(t.before.reg[SP], 4));
        t.set_register(SP, Exact{t.before.reg[SP]} + 4);
        if (t.number(0) == RETI) {

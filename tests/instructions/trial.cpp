@@ -303,8 +303,9 @@ bool Draws::legal(const OperandNumbers& operand) const {
       const bool same = both && register_of(one) == register_of(other);
       const bool halves = same && (one ^ other) == kHighHalf;
       const bool written = roles[i].written && roles[j].written;
-      const bool stepped = (roles[i].address_stage && roles[j].written) ||
-                           (roles[j].address_stage && roles[i].written);
+      const bool stepped = roles[i].address_stage != roles[j].address_stage &&
+                           ((roles[i].address_stage && roles[j].written) ||
+                            (roles[j].address_stage && roles[i].written));
       if (same && ((written && !halves) || (stepped && info.memory != MemoryUse::none))) {
         return false;
       }
@@ -334,11 +335,14 @@ Trial Draws::draw() {
           Trial::kMemory + Trial::kMemoryBytes / 2 + 4 * below(8);
     }
     int i = 0;
-    bool based = false;
+    std::int32_t base = -1;
     for (const OperandRole& role : roles) {
       const std::int32_t number = trial.operand[static_cast<std::size_t>(i++)];
-      if (is_register(role.kind) && role.address_stage && std::exchange(based, true)) {
-        trial.before.reg[static_cast<std::size_t>(number)] = 4 * below(5) - 8;
+      if (is_register(role.kind) && role.address_stage) {
+        if (base >= 0 && number != base) {
+          trial.before.reg[static_cast<std::size_t>(number)] = 4 * below(5) - 8;
+        }
+        base = number;
       } else if (immediate_range(role.kind) && role.kind != OperandKind::frame18x4) {
         // The base moves so that base + offset lies inside.
         for (std::size_t p = P0; p <= FP; ++p) {
