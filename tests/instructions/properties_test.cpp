@@ -16,22 +16,27 @@ TEST(Coverage, EveryEntryHasALaw) {
   }
 }
 
+// Every so many entries, so that tests run side by side.
+constexpr int kShares = 8;
 class Properties : public testing::TestWithParam<int> {};
 
-TEST_P(Properties, EntryKeepsItsLaw) {
-  const Instruction& info = instruction_table()[static_cast<std::size_t>(GetParam())];
-  void (*const law)(Trial&) = law_of(info.syntax);
-  ASSERT_NE(law, nullptr) << info.syntax;
-  Draws draws(GetParam(), 1);
-  for (int i = 0; i < kTrials; ++i) {
-    Trial trial = draws.draw();
-    const std::string problem = run(trial, law);
-    ASSERT_EQ(problem, "") << info.syntax;
+TEST_P(Properties, EntriesKeepTheirLaws) {
+  const auto table = instruction_table();
+  for (int entry = GetParam(); entry < static_cast<int>(table.size()); entry += kShares) {
+    const std::string_view syntax = table[static_cast<std::size_t>(entry)].syntax;
+    void (*const law)(Trial&) = law_of(syntax);
+    ASSERT_NE(law, nullptr) << syntax;
+    Draws draws(entry, 1);
+    std::string problem;
+    for (int i = 0; i < kTrials && problem.empty(); ++i) {
+      Trial trial = draws.draw();
+      problem = run(trial, law);
+    }
+    EXPECT_EQ(problem, "") << syntax;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, Properties,
-                         testing::Range(0, static_cast<int>(instruction_table().size())));
+INSTANTIATE_TEST_SUITE_P(Shares, Properties, testing::Range(0, kShares));
 
 // A law that can fail: one wrong flag, register or byte is found.
 TEST(Trials, FindWhatDiffers) {
