@@ -46,7 +46,8 @@ void print_registers(const isa::ExecutionState& state) {
   const auto registers = runner::registers_as_text(state);
   for (std::size_t i = 0; i < registers.size(); ++i) {
     const bool last = i % kColumns == kColumns - 1 || i + 1 == registers.size();
-    fmt::print("{:<8}{:<11}{}", registers[i].first, registers[i].second, last ? "\n" : " ");
+    const auto& [name, value] = registers[i];
+    fmt::print("{:<8}{:<{}}", name, last ? value + "\n" : value, last ? 0 : 12);
   }
 }
 

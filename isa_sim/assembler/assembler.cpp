@@ -34,16 +34,15 @@ std::string upper_case(std::string_view text) {
   return upper;
 }
 
-// `R0`, `R0.L`, `A0.X`, `ASTAT`.
+// `R0`, `ASTAT`; and whatever is written as if it were a part of one, such as `R0.L`.
 bool is_register(std::string_view name) {
   const std::string upper = upper_case(name);
   if (isa::register_by_name(upper) || std::ranges::count(kFlags, upper) > 0) {
     return true;
   }
   const std::size_t dot = upper.rfind('.');
-  return dot != std::string::npos && dot + 2 == upper.size() &&
-         std::string_view("LHBXW").find(upper.back()) != std::string_view::npos &&
-         isa::register_by_name(upper.substr(0, dot)).has_value();
+  return dot != std::string::npos && dot > 0 && dot + 2 == upper.size() &&
+         std::string_view("LHBXW").find(upper.back()) != std::string_view::npos;
 }
 
 // The words of all patterns: none of them can be a symbol within an instruction.

@@ -94,6 +94,7 @@ class Assembler : private ExpressionReader::Names {
 
   // --- instructions ---
   struct Folded;
+  class InInstruction;
   void read_instruction(Statement statement);
   std::vector<isa::Token> gather_instruction(Statement& statement);
   [[nodiscard]] bool begins_other_statement(std::string_view text) const;

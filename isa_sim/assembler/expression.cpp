@@ -23,8 +23,8 @@ constexpr std::array kOperators = {
     Operator{"*", 5, 10}, Operator{"/", 5, 10}, Operator{"%", 5, 10}, Operator{"<<", 5, 8},
     Operator{">>", 5, 8}, Operator{"|", 4, 3},  Operator{"&", 4, 5},  Operator{"^", 4, 4},
     Operator{"!", 4, 0},  Operator{"+", 3, 9},  Operator{"-", 3, 9},  Operator{"==", 2, 6},
-    Operator{"!=", 2, 6}, Operator{"<>", 2, 6}, Operator{"<", 2, 7},  Operator{">", 2, 7},
-    Operator{"<=", 2, 7}, Operator{">=", 2, 7}, Operator{"&&", 1, 0}, Operator{"||", 1, 0},
+    Operator{"!=", 2, 6}, Operator{"<", 2, 7},  Operator{">", 2, 7},  Operator{"<=", 2, 7},
+    Operator{">=", 2, 7}, Operator{"&&", 1, 0}, Operator{"||", 1, 0},
 };
 constexpr std::string_view kShiftOfOperand = ">>>";  // what `>>` is within an instruction
 constexpr std::array<std::string_view, 4> kUnary = {"-", "~", "!", "+"};
@@ -68,7 +68,7 @@ std::optional<std::int64_t> apply(std::string_view sign, std::int64_t left, std:
     return left | ~right;
   if (sign == "==")
     return truth(left == right);
-  if (sign == "!=" || sign == "<>")
+  if (sign == "!=")
     return truth(left != right);
   if (sign == "<")
     return truth(left < right);
@@ -228,6 +228,12 @@ ExpressionPointer make_operation(std::string_view sign, ExpressionPointer left,
 Value evaluate(const Expression& expression) {
   int steps = kMostSteps;
   return evaluate_at(expression, 0, steps);
+}
+
+ExpressionPointer make_half(const ExpressionPointer& number, bool high) {
+  constexpr std::int64_t kHalf = 0xffff;
+  return make_operation("&", make_operation(">>", number, make_number(high ? 16 : 0)),
+                        make_number(kHalf));
 }
 
 ExpressionPointer make_sum(Symbol& symbol, std::int64_t number) {

@@ -42,6 +42,9 @@ struct Value {
 // As far as symbols are defined now.
 [[nodiscard]] Value evaluate(const Expression& expression);
 
+// The low or the high 16 bits of a number.
+[[nodiscard]] std::shared_ptr<const Expression> make_half(
+    const std::shared_ptr<const Expression>& number, bool high);
 // A symbol plus a number.
 [[nodiscard]] std::shared_ptr<const Expression> make_sum(Symbol& symbol, std::int64_t number);
 

@@ -125,6 +125,36 @@ bool Assembler::is_complete(const std::vector<Token>& tokens) {
 
 // --- folding ---
 
+// Names within one instruction: its words are none.
+class Assembler::InInstruction : public ExpressionReader::Names {
+ public:
+  InInstruction(Assembler& assembler, std::span<const Token> tokens)
+      : assembler_(assembler), tokens_(tokens) {}
+
+  Symbol* symbol(const Token& token) override {
+    const std::string upper = upper_case(token.text);
+    const bool word = assembler_.words_.contains(upper) && (upper.size() > 1 || is_option(token));
+    return word ? nullptr : assembler_.symbol(token);
+  }
+
+ private:
+  // The X of `(X)` and `(S, V)`; elsewhere it is a symbol of that name.
+  [[nodiscard]] bool is_option(const Token& token) const {
+    static constexpr std::string_view kOptions = "MSTXZ";
+    if (kOptions.find(upper_case(token.text)) == std::string_view::npos) {
+      return true;
+    }
+    const auto at = static_cast<std::size_t>(&token - tokens_.data());
+    const bool opened = at > 0 && (tokens_[at - 1].is("(") || tokens_[at - 1].is(","));
+    const bool half = at > 1 && (is_word(tokens_[at - 2], "lo") || is_word(tokens_[at - 2], "hi"));
+    return opened && !half && at + 1 < tokens_.size() &&
+           (tokens_[at + 1].is(")") || tokens_[at + 1].is(","));
+  }
+
+  Assembler& assembler_;
+  std::span<const Token> tokens_;
+};
+
 // Behind it, a sign joins two operands.
 bool Assembler::ends_operand(const Token& token) const {
   if (token.kind == TokenKind::name) {
@@ -162,6 +192,9 @@ bool Assembler::fold_half(std::span<const Token> tokens, std::size_t& position, 
   if (one_token && folded.tokens.back().kind == TokenKind::number) {
     std::int64_t& number = folded.tokens.back().number;
     number = (low ? number : number >> 16) & 0xffff;
+  } else if (one_token && !folded.later.empty() && folded.later.back().token == before &&
+             !evaluate(*folded.later.back().expression).is_address()) {
+    folded.later.back().expression = make_half(folded.later.back().expression, !low);
   } else if (before > 0) {
     const std::string half = lower_case(tokens[0].text);
     if (!half.ends_with(low ? ".l" : ".h")) {
@@ -178,17 +211,7 @@ std::size_t Assembler::fold_one(std::span<const Token> tokens, std::size_t posit
                                 Folded& folded) {
   const Token& first = tokens[position];
   const bool after_operand = position > 0 && ends_operand(tokens[position - 1]);
-  class Inside : public ExpressionReader::Names {
-   public:
-    explicit Inside(Assembler& assembler) : assembler_(assembler) {}
-    Symbol* symbol(const Token& token) override {
-      return assembler_.words_.contains(upper_case(token.text)) ? nullptr
-                                                                : assembler_.symbol(token);
-    }
-
-   private:
-    Assembler& assembler_;
-  } names(*this);
+  InInstruction names(*this, tokens);
   std::size_t end = position;
   ExpressionPointer expression;
   // `+ 8`, `* 2` behind an operand: the sign is the instruction's; `- 8 + 4` is `+ -4`.

@@ -9,6 +9,12 @@ namespace finback::assembler {
 
 using isa::TokenKind;
 
+namespace {
+
+constexpr std::uint32_t kSectionAlign = 4;  // bytes; as the GNU assembler aligns its sections
+
+}  // namespace
+
 const std::vector<Assembler::KnownDirective>& Assembler::directives() {
   using A = Assembler;
   static const std::vector<KnownDirective> all = [] {
@@ -133,6 +139,7 @@ void Assembler::enter_section(const std::string& name) {
   if (added) {
     ir::Piece piece;
     piece.name = stem_ + name;
+    piece.align = kSectionAlign;
     sections_.emplace_back(std::move(piece));
   }
   previous_section_ = current_section_;

@@ -33,7 +33,7 @@ class Page {
       finish_command();
     }
     if (fence) {
-      if (block_ == "toml") {
+      if (is_file()) {
         write_file_whole(std::filesystem::path(folder_) / file_, file_text_);
       }
       block_ = block_.empty() ? line.substr(3) : "";
@@ -43,7 +43,7 @@ class Page {
     } else if (!command_.empty()) {
       said_ += line + "\n";
       return;  // written by finish_command
-    } else if (block_ == "toml") {
+    } else if (is_file()) {
       file_text_ += line + "\n";
     } else {
       note_file(line);
@@ -51,13 +51,18 @@ class Page {
     renewed_ += line + "\n";
   }
 
-  // The last `NAME.toml` of a line of the text.
+  [[nodiscard]] bool is_file() const { return block_ == "toml" || block_ == "asm"; }
+
+  // The last `NAME.toml`, `NAME.s` or `NAME.inc` of a line of the text.
   void note_file(const std::string& line) {
-    constexpr std::string_view kEnd = ".toml`";
-    const std::size_t end = line.rfind(kEnd);
-    if (end != std::string::npos) {
-      const std::size_t begin = line.rfind('`', end) + 1;
-      file_ = line.substr(begin, end + kEnd.size() - 1 - begin);
+    std::size_t last = 0;
+    for (const std::string_view ending : {".toml`", ".s`", ".inc`"}) {
+      const std::size_t end = line.rfind(ending);
+      if (end != std::string::npos && end >= last) {
+        const std::size_t begin = line.rfind('`', end) + 1;
+        file_ = line.substr(begin, end + ending.size() - 1 - begin);
+        last = end;
+      }
     }
   }
 

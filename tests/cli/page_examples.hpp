@@ -2,8 +2,8 @@
 //
 // A page's ```console blocks hold commands behind "$ " and what they print below, on both streams.
 // Each is run by sh in the test's folder; what it prints must be what the page says, to the byte.
-// "$ echo $?" is the exit code of the command before. A ```toml block is written into the folder
-// under the file name that the text above it calls last. With FINBACK_REFRESH set in the
+// "$ echo $?" is the exit code of the command before. A ```toml or ```asm block is written into the
+// folder under the file name that the text above it calls last. With FINBACK_REFRESH set in the
 // environment the page is written anew instead (scripts/refresh-traces.sh).
 #pragma once
 
