@@ -93,22 +93,22 @@ TEST(Kernels, MatrixProductIsRowsTimesColumns) {
         expected.push_back(rounded(sum));
       }
     }
-    KernelCall call = multiply(x, y, static_cast<int>(shape.rows), static_cast<int>(shape.inner),
-                               static_cast<int>(shape.columns));
+    KernelCall call = multiply(x, y, shape.rows, shape.inner, shape.columns);
     call.run();
     EXPECT_EQ(call.halves(2), expected) << shape.rows << " x " << shape.inner;
   }
 }
 
 TEST(Kernels, TransposeSwapsRowsAndColumns) {
-  for (const auto& [rows, columns] : {std::pair{1, 1}, {3, 5}, {20, 40}}) {
-    const Halves a = noise(static_cast<std::size_t>(rows * columns));
+  for (const auto& [rows, columns] :
+       {std::pair<std::size_t, std::size_t>{1, 1}, {3, 5}, {20, 40}}) {
+    const Halves a = noise(rows * columns);
     KernelCall call = transpose(a, rows, columns);
     call.run();
     Halves expected;
-    for (int column = 0; column < columns; ++column) {
-      for (int row = 0; row < rows; ++row) {
-        expected.push_back(a[static_cast<std::size_t>(row * columns + column)]);
+    for (std::size_t column = 0; column < columns; ++column) {
+      for (std::size_t row = 0; row < rows; ++row) {
+        expected.push_back(a[row * columns + column]);
       }
     }
     EXPECT_EQ(call.halves(1), expected) << rows << " x " << columns;
