@@ -34,7 +34,8 @@ step "asan-ubsan tests"
 ctest --preset asan-ubsan --parallel "$jobs" --no-tests=error
 
 step "clang-tidy"
-mapfile -t units < <(git ls-files '*.cpp')
+# Not the tests: what is wrong with them shows when they run, and GoogleTest's headers take minutes.
+mapfile -t units < <(git ls-files '*.cpp' ':!tests')
 printf '%s\0' "${units[@]}" |
   xargs --null --max-procs="$jobs" --max-args=4 clang-tidy --quiet -p build/release
 echo "clang-tidy: ${#units[@]} files are clean"
