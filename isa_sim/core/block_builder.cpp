@@ -132,7 +132,7 @@ std::uint32_t BlockBuilder::packet_at(Address address) const {
 }
 
 std::unique_ptr<Block> BlockBuilder::build(Address address, std::uint32_t state,
-                                           std::uint32_t max_packets) {
+                                           std::uint32_t packets) {
   const std::uint32_t first = packet_at(address);
   if (first == kNoPacket) {
     return nullptr;
@@ -144,7 +144,8 @@ std::unique_ptr<Block> BlockBuilder::build(Address address, std::uint32_t state,
   block.first_packet = first;
   block.function = image_.packets[first].function;
   const ir::PlacedPacket* last = nullptr;
-  const std::uint32_t end = first + std::min(max_packets, max_packets_);
+  const bool natural = packets == 0;
+  const std::uint32_t end = first + (natural ? max_packets_ : packets);
   for (std::uint32_t index = first; index < image_.packets.size() && index < end; ++index) {
     const ir::PlacedPacket& packet = image_.packets[index];
     if (last != nullptr &&
@@ -153,7 +154,7 @@ std::unique_ptr<Block> BlockBuilder::build(Address address, std::uint32_t state,
     }
     add_packet(draft, index);
     last = &packet;
-    if (ends_block(flow_of(packet)) || loop_bottoms_.contains(packet.address)) {
+    if (natural && (ends_block(flow_of(packet)) || loop_bottoms_.contains(packet.address))) {
       break;
     }
   }

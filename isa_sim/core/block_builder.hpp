@@ -26,10 +26,10 @@ class BlockBuilder {
   // kept waiting.
   static constexpr std::uint32_t kMaxPackets = 64;
 
-  // The block at `address`, entered in pipeline state `state`, of at most so many packets; nullptr
-  // when no packet starts there.
+  // The block at `address`, entered in pipeline state `state`; nullptr when no packet starts there.
+  // `packets`: it has just so many, whatever they are; 0: as many as belong together.
   [[nodiscard]] std::unique_ptr<Block> build(Address address, std::uint32_t state,
-                                             std::uint32_t max_packets = kMaxPackets);
+                                             std::uint32_t packets = 0);
 
   // From now on blocks have at most `max_packets`, and `save` (or nullptr) runs before each packet
   // that could change registers and then not be completed. False when that is so already.
@@ -39,12 +39,19 @@ class BlockBuilder {
     save_ = save;
     return changed;
   }
+  // A number for the present style: blocks of one style do not serve another.
+  [[nodiscard]] std::uint32_t style() const {
+    return (max_packets_ == 1 ? 1U : 0U) | (save_ != nullptr ? 2U : 0U);
+  }
 
   // What the last operation of every block executes.
   [[nodiscard]] static isa::Execute leave();
 
   // Makes `address` the end of every block that reaches it. False when it was one already.
-  bool add_loop_bottom(Address address) { return loop_bottoms_.insert(address).second; }
+  // Where no packet begins there is nothing to end.
+  bool add_loop_bottom(Address address) {
+    return packet_at(address) != kNoPacket && loop_bottoms_.insert(address).second;
+  }
 
   // Where packet `address` stands in the image; kNoPacket when none does.
   static constexpr std::uint32_t kNoPacket = ~std::uint32_t{0};

@@ -263,7 +263,8 @@ Block* Core::successor(Block& block, Address next, bool refill) {
 }
 
 Block* Core::block_at(Address address, std::uint32_t state) {
-  const std::uint64_t key = std::uint64_t{state} << 32 | address;
+  constexpr int kStyleBits = 2;
+  const std::uint64_t key = (std::uint64_t{state} << kStyleBits | builder_.style()) << 32 | address;
   const auto known = block_index_.find(key);
   if (known != block_index_.end()) {
     return known->second;

@@ -102,6 +102,7 @@ class Core {
   void uproot();
   void undo_packet(std::uint32_t packet);
   void forget_blocks();
+  void unchain_blocks();
   // Ends the operation with an exception; where no handler is installed, the program with `what`.
   [[noreturn]] void raise_exception(const isa::Operation& operation, int cause,
                                     const std::string& what) const;

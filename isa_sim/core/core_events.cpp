@@ -265,7 +265,7 @@ void Core::choose_block_style(const Operation& operation) {
   const bool one_by_one = single_step_ || protection_.guards_fetch();
   const std::uint32_t packets = one_by_one ? 1 : BlockBuilder::kMaxPackets;
   if (builder_.set_style(packets, save ? save_packet : nullptr)) {
-    forget_blocks();
+    unchain_blocks();
     turn_.horizon = 0;
     end_block_after(operation);
   }

@@ -128,9 +128,10 @@ Block* Core::part_of(const Block& block, std::uint32_t packets) {
 // Lets the running block end after the packet of `operation`.
 void Core::end_block_after(const Operation& operation) {
   const std::uint32_t last = current_->first_packet + current_->packet_count - 1;
-  if (operation.site == last || planted_ != nullptr) {
+  if (operation.site == last) {
     return;
   }
+  uproot();  // it stands further on
   Operation* next = current_->operations.get() + (&operation - current_->operations.get());
   while (next->site == operation.site) {
     ++next;
@@ -155,6 +156,11 @@ void Core::undo_packet(std::uint32_t packet) {
 // So that they are decoded anew. Those that were run stay for their counts.
 void Core::forget_blocks() {
   block_index_.clear();
+  unchain_blocks();
+}
+
+// So that each looks its successors up again.
+void Core::unchain_blocks() {
   for (const auto& block : blocks_) {
     block->exits = {};
   }

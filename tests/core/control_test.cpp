@@ -292,6 +292,24 @@ TEST(Debug, FailedAssertionNamesPlaceRegisterAndValues) {
                                        "expected 0x4321"));
 }
 
+// A block that was long when it began is counted as far as it ran, though blocks are short now.
+TEST(Debug, BlocksCutByAChangeOfStyleAreCounted) {
+  CoreHarness harness(
+      text_of({"style",
+               "R1.L = _step; R1.H = _step; [P0 + 12] = R1; R2 = SYSCFG; BITSET (R2, 0); NOP; NOP;"
+               "NOP; SYSCFG = R2; NOP;",
+               ".type _step, @function\n_step: R1 = SYSCFG; BITCLR (R1, 0); SYSCFG = R1; RTX;\n"
+               ".size _step, .-_step\n"}));
+  const Cycles cycles = harness.run();
+  // 2 of the start, 9 before the step, NOP, 4 of the handler, HLT
+  EXPECT_EQ(harness.core().profile().packets, 17U);
+  Cycles sum = 0;
+  for (const Cycles cause : harness.core().profile().causes) {
+    sum += cause;
+  }
+  EXPECT_EQ(sum, cycles);
+}
+
 // The time and the packets of what ran before an early end are counted, and no more.
 TEST(Debug, EarlyEndCountsWhatRan) {
   CoreHarness harness(program("R1 = 1;\nR2 = 2;\nDBGA (R1.L, 2);\nR3 = 3;\nR4 = 4;"));
