@@ -103,6 +103,7 @@ ir::CoreUnits load_units(const std::vector<fs::path>& files, const assembler::Op
     return units;
   }
   std::vector<ir::Program> programs;
+  programs.reserve(files.size() + 1);
   for (const fs::path& file : files) {
     programs.push_back(load_unit(file, options));
   }

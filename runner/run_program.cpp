@@ -75,6 +75,7 @@ ProgramOutcome run_program(const RunInputs& inputs, ProgramRun run) {
 std::vector<std::pair<std::string, std::string>> registers_as_text(
     const isa::ExecutionState& state) {
   std::vector<std::pair<std::string, std::string>> all;
+  all.reserve(isa::kRegisterCount);
   for (int reg = 0; reg < isa::A0X; ++reg) {
     all.emplace_back(isa::register_name(static_cast<isa::Register>(reg)),
                      fmt::format("{:08x}", state.reg[static_cast<std::size_t>(reg)]));

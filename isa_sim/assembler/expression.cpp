@@ -124,7 +124,7 @@ Value difference(const Value& left, const Value& right) {
 }
 
 Value evaluate_binary(const Expression& expression, int depth, int& steps) {
-  const Value left = evaluate_at(*expression.left, depth + 1, steps);
+  Value left = evaluate_at(*expression.left, depth + 1, steps);
   if (!left.problem.empty()) {
     return left;
   }

@@ -164,7 +164,7 @@ fs::path Assembler::find_file(Directive& directive, std::string& name) {
   folders.emplace_back();
   for (const fs::path& folder : folders) {
     std::error_code error;
-    const fs::path path = folder / name;
+    fs::path path = folder / name;
     if (fs::is_regular_file(path, error)) {
       return path;
     }
