@@ -135,12 +135,16 @@ void Core::enter(int event, Address back) {
     reg[isa::USP] = std::exchange(reg[isa::SP], kernel_sp_);
   }
   const Address handler = events_.enter(event);
+  reg[return_register(event)] = back | (event == from ? 1U : 0U);
   if (builder_.packet_at(handler) == BlockBuilder::kNoPacket) {
+    if (event > kException && handler != 0 && events_.handler(kException) != 0) {
+      enter_exception(kUndefinedInstruction, handler);
+      return;
+    }
     throw GuestFault(fmt::format(
         "{}: interrupt {} at {}, but EVT{} holds {:#010x}, where no instruction is", name_of(id_),
         event_name(event), place(current_->first_packet), event, handler));
   }
-  reg[return_register(event)] = back | (event == from ? 1U : 0U);
   current_ = block_at(handler, 0);
   calls_.enter_interrupt(current_->function, back, state_.time);
   const Cycles entry = cycles_of(parameters_.interrupt_entry);

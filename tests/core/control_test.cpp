@@ -184,6 +184,11 @@ constexpr Program kExceptions[] = {
      "(P1);",
      ".type _away, @function\n_away: R6 = SEQSTAT; R5 = RETX; DBGA (R6.L, 0x21);"
      "DBGA (R5.L, 0x3F00); HLT; RTX;\n.size _away, .-_away\n"},
+    {"a_handler_that_is_no_code",
+     "R1.L = _away; R1.H = _away; [P0 + 12] = R1; R1 = 0x80; [P0 + 28] = R1; STI R1; RAISE 7; "
+     "ABORT;",
+     ".type _away, @function\n_away: R6 = SEQSTAT; R5 = RETX; DBGA (R6.L, 0x21);"
+     "DBGA (R5.L, 0x80); HLT; RTX;\n.size _away, .-_away\n"},
     {"no_fetch_from_data_memory",
      "R1.L = _away; R1.H = _away; [P0 + 12] = R1; P1.L = _words; P1.H = _words; JUMP (P1);",
      ".type _away, @function\n_away: R6 = SEQSTAT; DBGA (R6.L, 0x2B); HLT; RTX;\n"
