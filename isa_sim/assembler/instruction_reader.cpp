@@ -242,8 +242,11 @@ std::size_t Assembler::fold_one(std::span<const Token> tokens, std::size_t posit
   const std::size_t at = folded.tokens.size();
   token.kind = TokenKind::name;
   if (!value.is_address()) {
-    token.text =
-        texts_.emplace_back(fmt::format("later#{}", later_operands_.size() + folded.later.size()));
+    // What is written is a name that no symbol has, if it stands on one line.
+    token.text = first.line == tokens[end - 1].line
+                     ? written(first, tokens[end - 1])
+                     : std::string_view(texts_.emplace_back(
+                           fmt::format("later#{}", later_operands_.size() + folded.later.size())));
   } else if (token.text != value.symbol->name) {
     token.text = value.symbol->name;
   }

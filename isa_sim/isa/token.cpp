@@ -251,7 +251,8 @@ class Tokenizer {
       }
       value = kValues[letter];
     }
-    if (at(end + 1) != '\'' && dialect_ != Dialect::bir && end < text_.size()) {
+    const bool one_quote = dialect_ != Dialect::bir && end < text_.size() && text_[end] != '\n';
+    if (at(end + 1) != '\'' && one_quote) {
       --end;  // without its second quote
     } else if (at(end + 1) != '\'') {
       fail("a character stands between two quotes, as in 'a'");
