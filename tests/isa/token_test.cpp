@@ -85,7 +85,8 @@ TEST(Token, KeepsEscapesOfStrings) {
 
 TEST(Token, NamesThePlaceOfWhatItCannotRead) {
   EXPECT_EQ(error_of("NOP;\n  ?"), "a.bir:2:3: '?' cannot stand here");
-  EXPECT_EQ(error_of("\x80"), "a.bir:1:1: byte 0x80 cannot stand here: programs are plain ASCII text");
+  EXPECT_EQ(error_of("\x80"),
+            "a.bir:1:1: byte 0x80 cannot stand here: programs are plain ASCII text");
   EXPECT_EQ(error_of("NOP; /* and so on"), "a.bir:1:6: this comment is never closed: add */");
   EXPECT_EQ(error_of(".ascii \"x\n"), "a.bir:1:8: this string is never closed: add \"");
   EXPECT_EQ(error_of("R0 = 12ab"), "a.bir:1:8: 'a' is no digit of a base 10 number");
