@@ -134,7 +134,8 @@ class Matcher {
     }
     if (!read && misfits_ != nullptr && !misfit_ && position < tokens_.size() &&
         tokens_[position].is("(")) {
-      misfit_ = Misfit{position + 1, edge.step.operand, {}, false};
+      // What stands inside the parenthesis, or the parenthesis where nothing follows.
+      misfit_ = Misfit{std::min(position + 1, tokens_.size() - 1), edge.step.operand, {}, false};
       current_.operand[slot] = {};
       walk(edge.target, after_parenthesis(position), operands + 1, false);
       misfit_.reset();

@@ -84,6 +84,17 @@ TEST(Disassemble, PrintsLinkedOperands) {
             "CALL 0xffa00010");
 }
 
+// An option that is not closed, or not even begun, is blamed on what is there.
+TEST(Options, UnfinishedOnesAreExplained) {
+  const auto blamed = [](std::string_view text) {
+    const std::vector<Token> tokens = tokenize(text);
+    const SyntaxProblem problem = instruction_syntax().explain(tokens);
+    return problem.token < tokens.size() ? problem.message : "beyond the text";
+  };
+  EXPECT_TRUE(blamed("R7 = (A1 = R0.H * R7.H) (").starts_with("( cannot stand here: (FU) or"));
+  EXPECT_TRUE(blamed("R7 = (A1 = R0.H * R7.H) (XX)").starts_with("XX cannot stand here: (FU) or"));
+}
+
 TEST(Registers, NamesReadBack) {
   for (int i = 0; i < kRegisterCount; ++i) {
     const auto reg = static_cast<Register>(i);
