@@ -36,7 +36,9 @@ Sources sources(ExecutionState& s, const Operation& o, int pair, int mode,
 }
 
 constexpr auto kAverage = [](ExecutionState& s, const Operation& o) {
-  const auto [a, b] = sources(s, o, 1, 3);
+  const Sources bytes = sources(s, o, 1, 3);
+  const u32 a = bytes.first;
+  const u32 b = bytes.second;
   const u32 rounding = (o[3] & kTruncate) != 0 ? 0 : 1;
   u32 result = 0;
   for (int i = 0; i < 4; ++i) {
@@ -46,7 +48,9 @@ constexpr auto kAverage = [](ExecutionState& s, const Operation& o) {
 };
 
 constexpr auto kAverageOfFour = [](ExecutionState& s, const Operation& o) {
-  const auto [a, b] = sources(s, o, 1, 3, I0);
+  const Sources bytes = sources(s, o, 1, 3, I0);
+  const u32 a = bytes.first;
+  const u32 b = bytes.second;
   const u32 rounding = (o[3] & kTruncate) != 0 ? 0 : 2;
   const int shift = (o[3] & kHigh) != 0 ? 8 : 0;
   const auto average = [&](int first) {
@@ -59,7 +63,9 @@ constexpr auto kAverageOfFour = [](ExecutionState& s, const Operation& o) {
 
 // Signed halves of the first pair plus bytes of the second, clipped to 0..255.
 constexpr auto kAddClipped = [](ExecutionState& s, const Operation& o) {
-  const auto [a, b] = sources(s, o, 1, 3);
+  const Sources bytes = sources(s, o, 1, 3);
+  const u32 a = bytes.first;
+  const u32 b = bytes.second;
   const bool high = (o[3] & kHigh) != 0;
   const auto sum = [&](int lane) {
     const int32_t value = s16(a >> (16 * lane));
@@ -72,7 +78,9 @@ constexpr auto kAddClipped = [](ExecutionState& s, const Operation& o) {
 // Bytes to sums or differences in halves: operand 0 takes the upper two, operand 1 the lower.
 template <bool subtract>
 constexpr auto kBytesToHalves = [](ExecutionState& s, const Operation& o) {
-  const auto [a, b] = sources(s, o, 2, 4);
+  const Sources bytes = sources(s, o, 2, 4);
+  const u32 a = bytes.first;
+  const u32 b = bytes.second;
   const auto lane = [&](int i) {
     const u32 value = subtract ? byte_of(a, i) - byte_of(b, i) : byte_of(a, i) + byte_of(b, i);
     return value & 0xffff;
@@ -94,7 +102,9 @@ constexpr auto kUnpackBytes = [](ExecutionState& s, const Operation& o) {
 
 // Absolute differences of four bytes, added to the four halves of A1 and A0, saturated to 16 bits.
 constexpr auto kSumAbsolute = [](ExecutionState& s, const Operation& o) {
-  const auto [a, b] = sources(s, o, 0, 2);
+  const Sources bytes = sources(s, o, 0, 2);
+  const u32 a = bytes.first;
+  const u32 b = bytes.second;
   const auto lane = [&](int i) {
     const auto difference =
         static_cast<int32_t>(byte_of(a, i)) - static_cast<int32_t>(byte_of(b, i));
