@@ -14,54 +14,17 @@ using isa::TokenKind;
 
 namespace {
 
-// Flags, which are set like symbols but are none; and EMUDAT.
-constexpr std::array<std::string_view, 17> kFlags = {
-    "CC", "AZ", "AN", "AC0",     "AC1",      "AV0",    "AV0S",   "AV1", "AV1S",
-    "V",  "VS", "AQ", "RND_MOD", "AC0_COPY", "V_COPY", "EMUDAT", "PC"};
-
-// Options of instructions and what else the GNU assembler never takes for a symbol.
-constexpr std::array<std::string_view, 40> kKeywords = {
-    "ASL", "ASR", "B",  "BP",  "BREV", "CO",   "FU", "GE",    "GT",  "H",
-    "HI",  "IF",  "IH", "IS",  "ISS2", "IU",   "L",  "LE",    "LO",  "LT",
-    "M",   "NS",  "R",  "RND", "RNDH", "RNDL", "S",  "S2RND", "SCO", "T",
-    "TFU", "TH",  "TL", "V",   "W",    "W32",  "X",  "Z",     "AZ",  "AN"};
-
-std::string upper_case(std::string_view text) {
-  std::string upper(text);
-  std::ranges::transform(upper, upper.begin(), [](char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  });
-  return upper;
-}
-
 // `R0`, `ASTAT`; and whatever is written as if it were a part of one, such as `R0.L`.
 bool is_register(std::string_view name) {
-  const std::string upper = upper_case(name);
-  if (isa::register_by_name(upper) || std::ranges::count(kFlags, upper) > 0) {
+  const std::string upper = isa::upper_case(name);
+  const auto flags = isa::spellings(isa::OperandKind::status_flag);
+  if (isa::register_by_name(upper) || upper == "PC" ||
+      std::ranges::find(flags, upper, &isa::Spelling::text) != flags.end()) {
     return true;
   }
   const std::size_t dot = upper.rfind('.');
   return dot != std::string::npos && dot > 0 && dot + 2 == upper.size() &&
          std::string_view("LHBXW").find(upper.back()) != std::string_view::npos;
-}
-
-// The words of all patterns: none of them can be a symbol within an instruction.
-std::set<std::string, std::less<>> words_of(std::span<const isa::Instruction> table) {
-  std::set<std::string, std::less<>> words(kKeywords.begin(), kKeywords.end());
-  for (const isa::Instruction& entry : table) {
-    std::string word;
-    for (const char c : std::string(entry.syntax) + " ") {
-      if (is_name_character(c)) {
-        word += c;
-      } else if (!word.empty()) {
-        if (c != '!' && c != '+' && c != '@' && c != '}') {  // no operand
-          words.insert(upper_case(word));
-        }
-        word.clear();
-      }
-    }
-  }
-  return words;
 }
 
 std::string_view first_word(std::string_view text) {
@@ -79,7 +42,7 @@ std::string_view behind(std::string_view text, std::string_view word) {
 }  // namespace
 
 Assembler::Assembler(const Options& options, const isa::Syntax& syntax)
-    : options_(options), syntax_(syntax), words_(words_of(syntax.table())) {}
+    : options_(options), syntax_(syntax) {}
 
 // --- messages ---
 

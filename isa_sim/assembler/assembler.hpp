@@ -199,7 +199,6 @@ class Assembler : private ExpressionReader::Names {
 
   const Options& options_;
   const isa::Syntax& syntax_;
-  std::set<std::string, std::less<>> words_;  // of instructions, in upper case
   SourceStack source_;
   SymbolTable symbols_;
   std::map<std::string, Macro, std::less<>> macros_;  // by lower-case name

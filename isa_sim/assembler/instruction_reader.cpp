@@ -23,14 +23,6 @@ bool is_word(const Token& token, std::string_view word) {
   return token.kind == TokenKind::name && lower_case(token.text) == word;
 }
 
-std::string upper_case(std::string_view text) {
-  std::string upper(text);
-  std::ranges::transform(upper, upper.begin(), [](char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  });
-  return upper;
-}
-
 // A number in a register's or a symbol's place: `LSETUP (4, 8) LC0 = P0 >> 1` has two of them.
 bool ends_distances(const Token& token) { return token.is(")"); }
 
@@ -132,8 +124,8 @@ class Assembler::InInstruction : public ExpressionReader::Names {
       : assembler_(assembler), tokens_(tokens) {}
 
   Symbol* symbol(const Token& token) override {
-    const std::string upper = upper_case(token.text);
-    const bool word = assembler_.words_.contains(upper) && (upper.size() > 1 || is_option(token));
+    const bool word =
+        assembler_.syntax_.has_word(token) && (token.text.size() > 1 || is_option(token));
     return word ? nullptr : assembler_.symbol(token);
   }
 
@@ -141,7 +133,7 @@ class Assembler::InInstruction : public ExpressionReader::Names {
   // The X of `(X)` and `(S, V)`; elsewhere it is a symbol of that name.
   [[nodiscard]] bool is_option(const Token& token) const {
     static constexpr std::string_view kOptions = "MSTXZ";
-    if (kOptions.find(upper_case(token.text)) == std::string_view::npos) {
+    if (kOptions.find(isa::upper_case(token.text)) == std::string_view::npos) {
       return true;
     }
     const auto at = static_cast<std::size_t>(&token - tokens_.data());
@@ -158,8 +150,7 @@ class Assembler::InInstruction : public ExpressionReader::Names {
 // Behind it, a sign joins two operands.
 bool Assembler::ends_operand(const Token& token) const {
   if (token.kind == TokenKind::name) {
-    const std::string upper = upper_case(token.text);
-    return isa::register_by_name(upper) || !words_.contains(upper);
+    return isa::register_by_name(token.text) || !syntax_.has_word(token);
   }
   return token.kind != TokenKind::sign || token.is(")") || token.is("]") || token.is("++") ||
          token.is("--");
@@ -394,50 +385,6 @@ void Assembler::read_instruction(Statement statement) {
     return;
   }
   emit(read_packet(tokens, statement), statement);
-}
-
-// LOOP name LC0 = P0; LOOP_BEGIN name; LOOP_END name;
-bool Assembler::read_loop(const std::vector<Token>& tokens, const Statement& statement) {
-  if (tokens.size() < 2 || tokens[0].kind != TokenKind::name || tokens[1].kind == TokenKind::sign) {
-    return false;
-  }
-  const std::string word = lower_case(tokens[0].text);
-  std::string_view name = tokens[1].text;
-  if (is_numbered_reference(name)) {  // LOOP 1f belongs to LOOP_BEGIN 1
-    name.remove_suffix(1);
-  }
-  const auto label = [&](const char* which) -> Symbol& {
-    return symbols_.get(fmt::format("L$L${}__{}", name, which));
-  };
-  if (word == "loop_begin" && tokens.size() == 2) {
-    define_label(label("BEGIN"), statement, tokens[1].text, section().location());
-    return true;
-  }
-  if (word == "loop_end" && tokens.size() == 2) {  // names the instruction before it
-    define_label(label("END"), statement, tokens[1].text, section().last_packet());
-    return true;
-  }
-  if (word != "loop" || tokens.size() < 3) {
-    return false;
-  }
-  std::vector<Token> setup(6,
-                           Token{TokenKind::sign, false, tokens[0].line, tokens[0].column, 0, "("});
-  setup[0].kind = setup[2].kind = setup[4].kind = TokenKind::name;
-  setup[0].text = "LSETUP";
-  setup[2].text = label("BEGIN").name;
-  setup[3].text = ",";
-  setup[4].text = label("END").name;
-  setup[5].text = ")";
-  for (const char* which : {"BEGIN", "END"}) {
-    Symbol& used = label(which);
-    if (!used.used && used.kind == Symbol::Kind::undefined) {
-      used.defined = place_of(statement, tokens[1].text);
-    }
-    used.used = true;
-  }
-  setup.insert(setup.end(), tokens.begin() + 2, tokens.end());
-  emit(read_packet(setup, statement), statement);
-  return true;
 }
 
 void Assembler::emit(ir::Packet packet, const Statement& statement) {

@@ -2,9 +2,10 @@
 //
 // Models: the instruction table's meanings; issue, interlocks, branches and hardware loops
 // (pipeline.hpp); stalls on L2, L3, device registers and instruction fetch; interrupts, taken
-// between blocks, and exceptions, taken between packets; user mode; IDLE; single steps. Does not
-// model: caches, protection, the store buffer within L1, speculation. Source: hardware.md 1, 4;
-// Programming Reference, chapters 3 and 4; the way to speed: docs/architecture.md.
+// between blocks, and exceptions, taken between packets; user mode and page protection; IDLE;
+// single steps. Does not model: caches, the store buffer within L1, speculation. Source:
+// hardware.md 1, 4; Programming Reference, chapters 3 and 4; the way to speed:
+// docs/architecture.md.
 //
 // The core runs ahead on what is its own. What others can see or change (L2, L3, devices) it
 // touches only before the time `shared_until` of its turn, to which the machine knows that nobody

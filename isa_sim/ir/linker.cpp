@@ -2,12 +2,11 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <map>
-#include <optional>
-#include <unordered_map>
 
 #include <common/parameter.hpp>
 #include <isa_sim/ir/layout.hpp>
 #include <isa_sim/ir/linker.hpp>
+#include <isa_sim/ir/symbols.hpp>
 #include <isa_sim/isa/instruction.hpp>
 
 namespace finback::ir {
@@ -15,8 +14,6 @@ namespace {
 
 using isa::OperandKind;
 using memory::MemoryMap;
-
-std::size_t index_of(Owner owner) { return static_cast<std::size_t>(owner); }
 
 // Where a packet was written: the C source by .loc, or else the BIR text itself, by its name alone,
 // so that results do not tell where it lay.
@@ -45,10 +42,12 @@ bool takes_high_half(const isa::OperandRoles& roles, const ParsedInstruction& in
 class Linker {
  public:
   Linker(const FirmwareUnits& firmware, std::vector<Thing> things)
-      : firmware_(firmware), things_(std::move(things)), table_(isa::instruction_table()) {}
+      : firmware_(firmware),
+        things_(std::move(things)),
+        table_(isa::instruction_table()),
+        symbols_(firmware, things_) {}
 
   Image run() {
-    enter_symbols();
     for (const Owner owner : {Owner::core_a, Owner::core_b}) {
       if (firmware_.cores[index_of(owner)].present) {
         emit_core(owner);
@@ -60,158 +59,8 @@ class Linker {
   }
 
  private:
-  struct Target {
-    Address address = 0;
-    bool code = false;
-    bool piece = false;  // of an assembler file: a place some bytes beyond may be branched to
-  };
-
-  // What a symbol stands for.
-  struct Definition {
-    Target target;
-    bool weak = false;
-  };
-  using SymbolTable = std::unordered_map<std::string_view, Definition>;
-
-  // Who refers to a symbol.
-  struct Reference {
-    const Thing& from;
-    SourcePlace place;
-  };
-
-  // --- symbols ---
-
-  void enter_symbols() {
-    for (const Thing& thing : things_) {
-      if (thing.is_stack()) {
-        continue;
-      }
-      enter(thing.owner, thing.unit, thing.symbol, thing.binding,
-            {thing.address, thing.is_code(), thing.piece != nullptr});
-      if (thing.function != nullptr) {
-        offsets(*thing.function);
-        functions_[{thing.owner, thing.unit}].push_back(&thing);
-      }
-      if (thing.piece != nullptr) {
-        for (const PieceLabel& label : thing.piece->labels) {
-          enter(thing.owner, thing.unit, label.name, label.binding,
-                {thing.address + label.offset, thing.piece->code, true});
-        }
-      }
-    }
-    for (const Owner owner : {Owner::core_a, Owner::core_b, Owner::shared}) {
-      for (const Unit& unit :
-           owner == Owner::shared ? firmware_.shared : firmware_.cores[index_of(owner)].units) {
-        for (const Constant& constant : unit->constants) {
-          enter(owner, unit.get(), constant.name, constant.binding, {constant.value, true, true});
-        }
-      }
-    }
-  }
-
-  void enter(Owner owner, const Program* unit, const std::string& symbol, Binding binding,
-             const Target& target) {
-    locals_[{owner, unit}].emplace(symbol, Definition{target});
-    if (binding == Binding::local) {
-      return;
-    }
-    const bool weak = binding == Binding::weak;
-    const auto [found, first] = globals_[index_of(owner)].emplace(symbol, Definition{target, weak});
-    if (!first && found->second.weak && !weak) {
-      found->second = {target};
-    }
-  }
-
-  // The offset of each packet of a function, and of its end.
-  const std::vector<std::uint32_t>& offsets(const Function& function) {
-    const auto [found, added] = offsets_.try_emplace(&function);
-    if (added) {
-      std::uint32_t offset = 0;
-      for (const Packet& packet : function.packets) {
-        found->second.push_back(offset);
-        offset += packet_length(packet, table_);
-      }
-      found->second.push_back(offset);
-    }
-    return found->second;
-  }
-
-  std::optional<Target> label(const Thing& function, const std::string& symbol) {
-    const auto found = function.function->labels.find(symbol);
-    if (found == function.function->labels.end()) {
-      return std::nullopt;
-    }
-    return Target{function.address + offsets(*function.function)[found->second], true};
-  }
-
-  // Labels of the function, then symbols of the unit, of the core, of what is shared; objects also
-  // see the labels of their unit's functions (tables of jumps).
-  Target resolve(const Reference& reference, const std::string& symbol) {
-    const Thing& from = reference.from;
-    if (from.function != nullptr) {
-      if (const auto target = label(from, symbol)) {
-        return *target;
-      }
-    }
-    for (const SymbolTable* table :
-         {&locals_[{from.owner, from.unit}], &globals_[index_of(from.owner)],
-          &globals_[index_of(Owner::shared)]}) {
-      const auto found = table->find(symbol);
-      if (found != table->end()) {
-        return found->second.target;
-      }
-    }
-    if (from.object != nullptr) {
-      if (const auto target = label_of_unit(reference, symbol)) {
-        return *target;
-      }
-    }
-    undefined(reference, symbol);
-  }
-
-  std::optional<Target> label_of_unit(const Reference& reference, const std::string& symbol) {
-    std::optional<Target> result;
-    for (const Thing* function : functions_[{reference.from.owner, reference.from.unit}]) {
-      const auto target = label(*function, symbol);
-      if (target && result) {
-        throw InputError(reference.place, fmt::format("{} takes the address of label {}, which two "
-                                                      "functions of this file have",
-                                                      reference.from.name, symbol));
-      }
-      result = target ? target : result;
-    }
-    return result;
-  }
-
-  [[noreturn]] void undefined(const Reference& reference, const std::string& symbol) const {
-    std::vector<std::string> known;
-    for (const Thing& thing : things_) {
-      const bool seen = thing.owner == reference.from.owner || thing.owner == Owner::shared;
-      if (seen && (thing.binding != Binding::local || thing.unit == reference.from.unit)) {
-        known.push_back(thing.symbol);
-      }
-      if (seen && thing.piece != nullptr) {
-        for (const PieceLabel& label : thing.piece->labels) {
-          if (label.binding != Binding::local || thing.unit == reference.from.unit) {
-            known.push_back(label.name);
-          }
-        }
-      }
-    }
-    const std::string nearest = nearest_name(symbol, known);
-    const bool shared = reference.from.owner == Owner::shared;
-    throw InputError(
-        reference.place,
-        fmt::format("{} {} refers to {}, which {} defines{}",
-                    reference.from.function != nullptr ? "function"
-                    : reference.from.object != nullptr ? "object"
-                                                       : "section",
-                    reference.from.name, symbol,
-                    shared ? "no shared unit"
-                           : fmt::format("no unit of {} and no shared one",
-                                         owner_name(reference.from.owner)),
-                    nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
-  }
+  using Reference = Symbols::Reference;
+  using Target = Symbols::Target;
 
   // --- code ---
 
@@ -242,7 +91,7 @@ class Linker {
 
   void emit_function(CoreImage& core, const Thing& thing) {
     const Function& function = *thing.function;
-    const std::vector<std::uint32_t>& at = offsets(function);
+    const std::vector<std::uint32_t>& at = symbols_.offsets(function);
     core.functions.push_back({.name = thing.name,
                               .region = thing.region->name,
                               .address = thing.address,
@@ -326,7 +175,7 @@ class Linker {
         result = value.number;
         continue;
       }
-      const Target target = resolve(reference, value.symbol);
+      const Target target = symbols_.resolve(reference, value.symbol);
       const Address sum = target.address + static_cast<Address>(value.number);
       if (isa::is_code_address(roles[i].kind)) {
         check_branch(reference, value, target);
@@ -376,22 +225,9 @@ class Linker {
 
   void set_entry(CoreImage& core, Owner owner) const {
     const std::string& entry = firmware_.cores[index_of(owner)].entry;
-    const SymbolTable& globals = globals_[index_of(owner)];
-    auto found = globals.find(entry);
-    if (found != globals.end() && found->second.target.code) {
-      core.entry = found->second.target.address;
+    if (const auto address = symbols_.code(owner, entry)) {
+      core.entry = *address;
       return;
-    }
-    for (const Unit& unit : firmware_.cores[index_of(owner)].units) {  // without .global
-      const auto locals = locals_.find({owner, unit.get()});
-      if (locals == locals_.end()) {
-        continue;
-      }
-      const auto local = locals->second.find(entry);
-      if (local != locals->second.end() && local->second.target.code) {
-        core.entry = local->second.target.address;
-        return;
-      }
     }
     throw InputError(fmt::format("{}: {}'s entry {} is a function of none of its units",
                                  firmware_.path, owner_name(owner), entry));
@@ -473,7 +309,7 @@ class Linker {
                 std::vector<std::uint8_t>& bytes) {
     for (const Relocation& relocation : relocations) {
       const SourcePlace& place = relocation.written.line > 0 ? relocation.written : thing.written;
-      const Target target = resolve({thing, place}, relocation.symbol);
+      const Target target = symbols_.resolve({thing, place}, relocation.symbol);
       const Address value = target.address + static_cast<Address>(relocation.addend);
       const std::size_t end = std::size_t{relocation.offset} + 4;
       bytes.resize(std::max(bytes.size(), end));
@@ -505,11 +341,8 @@ class Linker {
   const FirmwareUnits& firmware_;
   std::vector<Thing> things_;
   std::span<const isa::Instruction> table_;
+  Symbols symbols_;
   Image image_;
-  std::map<std::pair<Owner, const Program*>, SymbolTable> locals_;
-  std::map<std::pair<Owner, const Program*>, std::vector<const Thing*>> functions_;
-  std::array<SymbolTable, 3> globals_;
-  std::unordered_map<const Function*, std::vector<std::uint32_t>> offsets_;
   std::map<std::string, int> file_numbers_;
 };
 

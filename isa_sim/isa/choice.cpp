@@ -4,68 +4,54 @@
 namespace finback::isa {
 namespace {
 
-constexpr std::int32_t value(MultiplyMode mode) { return static_cast<std::int32_t>(mode); }
 using M = MultiplyMode;
 
-// The modes of a unit without M; those with it begin after them in the longer lists below.
 constexpr Spelling kAccumulate[] = {{"=", kSet}, {"+=", kAdd}, {"-=", kSubtract}};
-constexpr Spelling kAccumulateModes[] = {{"", value(M::fraction)},
-                                         {"(FU)", value(M::fu)},
-                                         {"(IS)", value(M::is)},
-                                         {"(W32)", value(M::w32)},
-                                         {"(M)", kMixed + value(M::fraction)},
-                                         {"(M, FU)", kMixed + value(M::fu)},
-                                         {"(FU, M)", kMixed + value(M::fu)},
-                                         {"(M, IS)", kMixed + value(M::is)},
-                                         {"(IS, M)", kMixed + value(M::is)},
-                                         {"(M, W32)", kMixed + value(M::w32)},
-                                         {"(W32, M)", kMixed + value(M::w32)}};
-constexpr std::size_t kPlainAccumulateModes = 4;
-constexpr Spelling kHalfModes[] = {{"", value(M::fraction)},
-                                   {"(FU)", value(M::fu)},
-                                   {"(IS)", value(M::is)},
-                                   {"(IU)", value(M::iu)},
-                                   {"(T)", value(M::t)},
-                                   {"(TFU)", value(M::tfu)},
-                                   {"(S2RND)", value(M::s2rnd)},
-                                   {"(ISS2)", value(M::iss2)},
-                                   {"(IH)", value(M::ih)},
-                                   {"(M)", kMixed + value(M::fraction)},
-                                   {"(M, FU)", kMixed + value(M::fu)},
-                                   {"(FU, M)", kMixed + value(M::fu)},
-                                   {"(M, IS)", kMixed + value(M::is)},
-                                   {"(IS, M)", kMixed + value(M::is)},
-                                   {"(M, IU)", kMixed + value(M::iu)},
-                                   {"(IU, M)", kMixed + value(M::iu)},
-                                   {"(M, T)", kMixed + value(M::t)},
-                                   {"(T, M)", kMixed + value(M::t)},
-                                   {"(M, TFU)", kMixed + value(M::tfu)},
-                                   {"(TFU, M)", kMixed + value(M::tfu)},
-                                   {"(M, S2RND)", kMixed + value(M::s2rnd)},
-                                   {"(S2RND, M)", kMixed + value(M::s2rnd)},
-                                   {"(M, ISS2)", kMixed + value(M::iss2)},
-                                   {"(ISS2, M)", kMixed + value(M::iss2)},
-                                   {"(M, IH)", kMixed + value(M::ih)},
-                                   {"(IH, M)", kMixed + value(M::ih)}};
-constexpr std::size_t kPlainHalfModes = 9;
-constexpr Spelling kWordModes[] = {{"", value(M::fraction)},
-                                   {"(FU)", value(M::fu)},
-                                   {"(IS)", value(M::is)},
-                                   {"(IU)", value(M::iu)},
-                                   {"(S2RND)", value(M::s2rnd)},
-                                   {"(ISS2)", value(M::iss2)},
-                                   {"(M)", kMixed + value(M::fraction)},
-                                   {"(M, FU)", kMixed + value(M::fu)},
-                                   {"(FU, M)", kMixed + value(M::fu)},
-                                   {"(M, IS)", kMixed + value(M::is)},
-                                   {"(IS, M)", kMixed + value(M::is)},
-                                   {"(M, IU)", kMixed + value(M::iu)},
-                                   {"(IU, M)", kMixed + value(M::iu)},
-                                   {"(M, S2RND)", kMixed + value(M::s2rnd)},
-                                   {"(S2RND, M)", kMixed + value(M::s2rnd)},
-                                   {"(M, ISS2)", kMixed + value(M::iss2)},
-                                   {"(ISS2, M)", kMixed + value(M::iss2)}};
-constexpr std::size_t kPlainWordModes = 6;
+
+// A mode by itself, with M before it, and with M behind it.
+struct ModeSpellings {
+  MultiplyMode mode;
+  std::string_view alone;
+  std::string_view mixed;
+  std::string_view mixed_behind;
+};
+constexpr ModeSpellings kModes[] = {{M::fraction, "", "(M)", "(M)"},
+                                    {M::fu, "(FU)", "(M, FU)", "(FU, M)"},
+                                    {M::is, "(IS)", "(M, IS)", "(IS, M)"},
+                                    {M::iu, "(IU)", "(M, IU)", "(IU, M)"},
+                                    {M::t, "(T)", "(M, T)", "(T, M)"},
+                                    {M::tfu, "(TFU)", "(M, TFU)", "(TFU, M)"},
+                                    {M::s2rnd, "(S2RND)", "(M, S2RND)", "(S2RND, M)"},
+                                    {M::iss2, "(ISS2)", "(M, ISS2)", "(ISS2, M)"},
+                                    {M::ih, "(IH)", "(M, IH)", "(IH, M)"},
+                                    {M::w32, "(W32)", "(M, W32)", "(W32, M)"}};
+
+// The spellings of some modes: first those without M.
+template <MultiplyMode... modes>
+constexpr auto spellings_of() {
+  constexpr std::size_t kCount = sizeof...(modes);
+  std::array<Spelling, 3 * kCount> result{};
+  std::size_t i = 0;
+  for (const MultiplyMode mode : {modes...}) {
+    const ModeSpellings& texts = kModes[static_cast<std::size_t>(mode)];
+    const auto value = static_cast<std::int32_t>(mode);
+    result[i] = {texts.alone, value};
+    result[kCount + i] = {texts.mixed, kMixed + value};
+    result[2 * kCount + i] = {texts.mixed_behind, kMixed + value};
+    ++i;
+  }
+  return result;
+}
+constexpr auto kAccumulateModes = spellings_of<M::fraction, M::fu, M::is, M::w32>();
+constexpr auto kHalfModes =
+    spellings_of<M::fraction, M::fu, M::is, M::iu, M::t, M::tfu, M::s2rnd, M::iss2, M::ih>();
+constexpr auto kWordModes = spellings_of<M::fraction, M::fu, M::is, M::iu, M::s2rnd, M::iss2>();
+// Without M: the first third.
+template <std::size_t count>
+constexpr std::span<const Spelling> alone(const std::array<Spelling, count>& all) {
+  return std::span(all).first(count / 3);
+}
+
 constexpr Spelling kMixedOnly[] = {{"", 0}, {"(M)", kMixed}};
 
 constexpr Spelling kLanes[] = {{"+|+", 0},
@@ -127,15 +113,15 @@ std::span<const Spelling> spellings(OperandKind kind) {
     case OperandKind::accumulate:
       return kAccumulate;
     case OperandKind::accumulate_mode:
-      return std::span(kAccumulateModes).first(kPlainAccumulateModes);
+      return alone(kAccumulateModes);
     case OperandKind::accumulate_mode_m:
       return kAccumulateModes;
     case OperandKind::half_mode:
-      return std::span(kHalfModes).first(kPlainHalfModes);
+      return alone(kHalfModes);
     case OperandKind::half_mode_m:
       return kHalfModes;
     case OperandKind::word_mode:
-      return std::span(kWordModes).first(kPlainWordModes);
+      return alone(kWordModes);
     case OperandKind::word_mode_m:
       return kWordModes;
     case OperandKind::mixed:

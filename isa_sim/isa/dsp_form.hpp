@@ -30,4 +30,13 @@ constexpr Instruction with_implicit(Instruction form, std::uint32_t implicit) {
   return form;
 }
 
+// Two results, operands `one` and `other`, which may not go to one register.
+template <std::size_t one, std::size_t other>
+constexpr Instruction two_results(Instruction form) {
+  form.check = [](const OperandNumbers& operand) -> std::string_view {
+    return operand[one] == operand[other] ? "the two results go to different registers" : "";
+  };
+  return form;
+}
+
 }  // namespace finback::isa

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 
 #include <isa_sim/isa/matcher.hpp>
 #include <isa_sim/isa/registers.hpp>
@@ -125,11 +124,11 @@ class Matcher {
   void walk_choice(const Node::Edge& edge, std::size_t position, int operands) {
     const auto slot = static_cast<std::size_t>(operands);
     bool read = false;
-    for (const auto& [tokens, value] : tree_.choices().at(edge.step.operand)) {
-      if (begins_with(tokens, position)) {
+    for (const auto& [literals, value] : tree_.choices().at(edge.step.operand)) {
+      if (begins_with(literals, position)) {
         current_.operand[slot] = {value, nullptr};
-        walk(edge.target, position + tokens.size(), operands + 1, false);
-        read |= !tokens.empty();
+        walk(edge.target, position + literals.size(), operands + 1, false);
+        read |= !literals.empty();
       }
     }
     if (!read && misfits_ != nullptr && !misfit_ && position < tokens_.size() &&
@@ -142,18 +141,10 @@ class Matcher {
     }
   }
 
-  [[nodiscard]] bool begins_with(const std::vector<std::string>& texts,
-                                 std::size_t position) const {
-    if (texts.size() > tokens_.size() - position) {
-      return false;
-    }
-    return std::ranges::equal(texts, tokens_.subspan(position, texts.size()),
-                              [](const std::string& text, const Token& token) {
-                                return std::ranges::equal(text, token.text,
-                                                          [](unsigned char a, unsigned char b) {
-                                                            return a == std::toupper(b);
-                                                          });
-                              });
+  [[nodiscard]] bool begins_with(const std::vector<int>& literals, std::size_t position) const {
+    return literals.size() <= words_.size() - position &&
+           std::ranges::equal(literals, std::span(words_).subspan(position, literals.size()), {},
+                              {}, &Word::literal);
   }
 
   [[nodiscard]] std::size_t after_parenthesis(std::size_t position) const {

@@ -29,11 +29,14 @@ struct MultiplyOption {
 
 constexpr std::int64_t kMaximum40 = (std::int64_t{1} << 39) - 1;
 constexpr std::int64_t kMaximum32 = (std::int64_t{1} << 31) - 1;
-constexpr std::int64_t kMask40 = (std::int64_t{1} << 40) - 1;
 
-// 40 bits as a signed number.
-[[nodiscard]] constexpr std::int64_t sign_extend40(std::int64_t value) {
-  return static_cast<std::int64_t>(static_cast<std::uint64_t>(value) << 24) >> 24;
+// An accumulator's 40 bits without a sign, and back.
+constexpr std::uint64_t kAllBits40 = (std::uint64_t{1} << 40) - 1;
+[[nodiscard]] constexpr std::uint64_t bits40(std::int64_t accumulator) {
+  return static_cast<std::uint64_t>(accumulator) & kAllBits40;
+}
+[[nodiscard]] constexpr std::int64_t accumulator_of(std::uint64_t bits) {
+  return static_cast<std::int64_t>(bits << 24) >> 24;
 }
 
 struct Product {
@@ -78,21 +81,21 @@ struct Accumulated {
       break;
     case MultiplyMode::iu:
       if (option.mixed) {
-        return {sign_extend40(exact), false};
+        return {accumulator_of(static_cast<std::uint64_t>(exact)), false};
       }
       [[fallthrough]];
     case MultiplyMode::fu:
     case MultiplyMode::tfu:
       if (!option.mixed) {
         low = 0;
-        high = kMask40;
+        high = static_cast<std::int64_t>(kAllBits40);
       }
       break;
     default:
       break;
   }
   const std::int64_t clipped = std::clamp(exact, low, high);
-  return {sign_extend40(clipped), clipped != exact};
+  return {accumulator_of(static_cast<std::uint64_t>(clipped)), clipped != exact};
 }
 
 // value / 65536, to nearest; a half goes to even, or up when `biased` (RND_MOD).

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <fmt/format.h>
 #include <stdexcept>
 
@@ -8,13 +7,6 @@
 
 namespace finback::isa {
 namespace {
-
-std::string upper(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return result;
-}
 
 [[noreturn]] void malformed(std::string_view syntax, std::string_view why) {
   throw std::logic_error(fmt::format("instruction table: '{}': {}", syntax, why));
@@ -64,7 +56,7 @@ int read_repeated(std::string_view syntax, std::string_view inside, int count) {
 
 void add_literals(std::vector<PatternStep>& steps, std::string_view text) {
   for (const Token& token : tokenize(text)) {
-    steps.push_back({.literal = upper(token.text)});
+    steps.push_back({.literal = upper_case(token.text)});
   }
 }
 

@@ -61,10 +61,10 @@ int PatternTree::target(int from, const PatternStep& step) {
 void PatternTree::add_choice(OperandKind kind) {
   auto& all = choices_[kind];
   for (const Spelling& spelling : spellings(kind)) {
-    auto& [texts, value] = all.emplace_back();
+    auto& [literals, value] = all.emplace_back();
     value = spelling.value;
     for (const Token& token : tokenize(spelling.text)) {
-      texts.emplace_back(token.text);
+      literals.push_back(literal_id(std::string(token.text)));
     }
   }
 }

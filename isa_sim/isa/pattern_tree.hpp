@@ -50,9 +50,8 @@ struct Node {
   int entry = -1;              // the pattern that ends here
 };
 
-// The spellings of each kind of choice, taken apart into tokens.
-using Choices =
-    std::map<OperandKind, std::vector<std::pair<std::vector<std::string>, std::int32_t>>>;
+// The spellings of each kind of choice: ids of literals, and the value.
+using Choices = std::map<OperandKind, std::vector<std::pair<std::vector<int>, std::int32_t>>>;
 
 class PatternTree {
  public:
@@ -69,6 +68,7 @@ class PatternTree {
   }
   [[nodiscard]] const Choices& choices() const { return choices_; }
   [[nodiscard]] const std::vector<std::pair<int, int>>& same_syntax() const { return same_syntax_; }
+  [[nodiscard]] Word look_up(const Token& token) const;
   [[nodiscard]] std::vector<Word> look_up_all(std::span<const Token> tokens) const;
   // The literals + and -.
   [[nodiscard]] int plus() const { return plus_; }
@@ -81,7 +81,6 @@ class PatternTree {
   int target(int from, const PatternStep& step);
   void add_choice(OperandKind kind);
   void add_steps(int entry, const std::vector<PatternStep>& steps);
-  [[nodiscard]] Word look_up(const Token& token) const;
 
   std::vector<Pattern> patterns_;
   std::vector<Node> nodes_{Node{}};

@@ -126,6 +126,10 @@ std::optional<ParsedInstruction> Syntax::match_as_written(std::span<const Token>
   return parsed;
 }
 
+bool Syntax::has_word(const Token& token) const {
+  return compiled_->tree.look_up(token).literal != kNoWord;
+}
+
 SyntaxProblem Syntax::explain(std::span<const Token> tokens) const {
   if (tokens.empty()) {
     return {"an instruction is missing", 0};

@@ -64,6 +64,8 @@ class Syntax {
   // The first entry that reads all of `tokens` (one instruction, without `;` or `||`). The two
   // parts of a vector instruction may stand in either order.
   [[nodiscard]] std::optional<ParsedInstruction> match(std::span<const Token> tokens) const;
+  // Whether some instruction has this word or sign in its text, in a choice of it, too.
+  [[nodiscard]] bool has_word(const Token& token) const;
   // Why `match` found nothing: one operand that does not fit, or that no instruction looks so.
   [[nodiscard]] SyntaxProblem explain(std::span<const Token> tokens) const;
   // `match` of one instruction given as text. Throws InputError "line:column: why".

@@ -47,9 +47,9 @@ constexpr auto kFromRegister =
 // Bits 0-15, 16-31 or 32-39 from a half register; the others stay.
 template <int unit, int lowest>
 constexpr auto kFromHalf = [](ExecutionState& s, const Operation& o) {
-  const int64_t mask = int64_t{0xffff} << lowest;
-  s.accumulator[unit] =
-      sign_extend40((s.accumulator[unit] & ~mask) | int64_t{half(s, o[0])} << lowest);
+  const std::uint64_t mask = std::uint64_t{0xffff} << lowest;
+  s.accumulator[unit] = accumulator_of((bits40(s.accumulator[unit]) & ~mask) |
+                                       std::uint64_t{half(s, o[0])} << lowest);
 };
 template <int unit>
 constexpr auto kGuardToHalf = [](ExecutionState& s, const Operation& o) {
@@ -59,7 +59,7 @@ constexpr auto kGuardToHalf = [](ExecutionState& s, const Operation& o) {
 // ---- sums
 // ---------------------------------------------------------------------------------------------------
 
-bool carries40(int64_t a, int64_t b) { return (a & kMask40) + (b & kMask40) > kMask40; }
+bool carries40(int64_t a, int64_t b) { return bits40(a) + bits40(b) > kAllBits40; }
 
 void add_accumulators(ExecutionState& s, bool narrow) {
   const auto [a, b] = s.accumulator;
@@ -74,13 +74,13 @@ void set_accumulator_flags(ExecutionState& s, int64_t value) {
   s.an = value < 0;
 }
 
-constexpr auto kAddOne = [](ExecutionState& s, const Operation& o) {
+constexpr auto kAddOther = [](ExecutionState& s, const Operation& o) {
   add_accumulators(s, o[0] != 0);
   set_accumulator_flags(s, s.accumulator[0]);
 };
-constexpr auto kSubtractOne = [](ExecutionState& s, const Operation& o) {
+constexpr auto kSubtractOther = [](ExecutionState& s, const Operation& o) {
   const auto [a, b] = s.accumulator;
-  s.ac0 = (b & kMask40) <= (a & kMask40);
+  s.ac0 = bits40(b) <= bits40(a);
   int64_t result = clip40(s, 0, a - b);
   if (o[0] != 0) {
     result = clip32(result);
@@ -111,7 +111,7 @@ constexpr auto kSumAndDifference = [](ExecutionState& s, const Operation& o) {
   };
   set_overflow(s, clip32(sum) != sum || clip32(difference) != difference);
   s.ac1 = carries40(a0, a1);
-  s.ac0 = (s.accumulator[1 - from] & kMask40) <= (s.accumulator[from] & kMask40);
+  s.ac0 = bits40(s.accumulator[1 - from]) <= bits40(s.accumulator[from]);
   const u32 first = result(sum);
   const u32 second = result(difference);
   s.az = first == 0 || second == 0;
@@ -188,7 +188,7 @@ constexpr auto kCompare = [](ExecutionState& s, const Operation&) {
   s.cc = order == Order::equal ? a == b : order == Order::less ? a < b : a <= b;
   s.az = a == b;
   s.an = a < b;
-  s.ac0 = (b & kMask40) <= (a & kMask40);
+  s.ac0 = bits40(b) <= bits40(a);
 };
 template <Order order>
 constexpr Instruction compare_form(std::string_view syntax) {
@@ -205,12 +205,10 @@ constexpr Instruction compare_form(std::string_view syntax) {
 // Left when the amount is positive; bits that leave are lost.
 int64_t shift40(int64_t value, int amount, bool arithmetic) {
   if (amount >= 0) {
-    return amount > 39
-               ? 0
-               : sign_extend40(static_cast<int64_t>(static_cast<std::uint64_t>(value) << amount));
+    return amount > 39 ? 0 : accumulator_of(static_cast<std::uint64_t>(value) << amount);
   }
   const int right = std::min(-amount, 40);
-  return arithmetic ? value >> std::min(right, 39) : sign_extend40((value & kMask40) >> right);
+  return arithmetic ? value >> std::min(right, 39) : accumulator_of(bits40(value) >> right);
 }
 
 enum class Amount : u8 { left, right, in_register };
@@ -261,8 +259,8 @@ constexpr Instruction kTable[] = {
     implicit_form("{Dl!} = A1.X", kReadsA1, plain<kGuardToHalf<1>>, "bits 32 to 39, sign-extended"),
 
     // sums
-    implicit_form("A0 += A1{w32}", kBothRead | kWritesA0, plain<kAddOne>),
-    implicit_form("A0 -= A1{w32}", kBothRead | kWritesA0, plain<kSubtractOne>),
+    implicit_form("A0 += A1{w32}", kBothRead | kWritesA0, plain<kAddOther>),
+    implicit_form("A0 -= A1{w32}", kBothRead | kWritesA0, plain<kSubtractOther>),
     implicit_form("{D!} = (A0 += A1)", kBothRead | kWritesA0, plain<kAddToRegister>,
                   "saturated to 32 bits"),
     implicit_form("{Dx!} = (A0 += A1)", kBothRead | kWritesA0, plain<kAddToHalf>,

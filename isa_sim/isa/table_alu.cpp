@@ -117,13 +117,6 @@ constexpr auto kQuad = [](ExecutionState& s, const Operation& o) {
   reg(s, o[3]) = (mode & kCross) != 0 ? low << 16 | high : high << 16 | low;
   flags.store(s);
 };
-std::string_view check_two_results(const OperandNumbers& operand) {
-  return operand[0] == operand[3] ? "the two results go to different registers" : "";
-}
-std::string_view check_first_two(const OperandNumbers& operand) {
-  return operand[0] == operand[1] ? "the two results go to different registers" : "";
-}
-
 template <auto pick>
 constexpr auto kByLane = [](ExecutionState& s, const Operation& o) {
   const u32 a = reg(s, o[1]);
@@ -272,8 +265,8 @@ constexpr Instruction kTable[] = {
     dsp_form("{D!} = {D} - {D} (NS)", plain<kAdd<true, false>>),
     dsp_form("{D!} = {D} + {D} (S)", plain<kAdd<false, true>>),
     dsp_form("{D!} = {D} - {D} (S)", plain<kAdd<true, true>>),
-    checked(dsp_form("{D!} = {D} + {D}, {D!} = {=1} - {=2}{ns}", plain<kSumAndDifference>),
-            check_two_results),
+    two_results<0, 3>(
+        dsp_form("{D!} = {D} + {D}, {D!} = {=1} - {=2}{ns}", plain<kSumAndDifference>)),
     dsp_form("{D!} = -{D} (NS)", plain<kNegate<false>>),
     dsp_form("{D!} = -{D} (S)", plain<kNegate<true>>),
     dsp_form("{D!} = MAX({D}, {D})", plain<kExtreme<kLarger>>),
@@ -298,20 +291,18 @@ constexpr Instruction kTable[] = {
 
     // lanes
     prepared(dsp_form("{D!} = {D} {lanes} {D}{sco}", plain<kAddLanes<0, 0>>), prepare_lanes),
-    checked(dsp_form("{D!} = {D} +|+ {D}, {D!} = {=1} -|- {=2}{sco_sft}", plain<kQuad<false>>,
-                     "(CO) crosses the second result"),
-            check_two_results),
-    checked(dsp_form("{D!} = {D} +|- {D}, {D!} = {=1} -|+ {=2}{sco_sft}", plain<kQuad<true>>,
-                     "(CO) crosses the second result"),
-            check_two_results),
+    two_results<0, 3>(dsp_form("{D!} = {D} +|+ {D}, {D!} = {=1} -|- {=2}{sco_sft}",
+                               plain<kQuad<false>>, "(CO) crosses the second result")),
+    two_results<0, 3>(dsp_form("{D!} = {D} +|- {D}, {D!} = {=1} -|+ {=2}{sco_sft}",
+                               plain<kQuad<true>>, "(CO) crosses the second result")),
     dsp_form("{D!} = MAX({D}, {D}) (V)", plain<kByLane<kLarger>>),
     dsp_form("{D!} = MIN({D}, {D}) (V)", plain<kByLane<kSmaller>>),
     dsp_form("{D!} = ABS {D} (V)", plain<kEachLane<kPositive>>, "saturated"),
     dsp_form("{D!} = -{D} (V)", plain<kNegateLanes>, "saturated"),
-    checked(with_implicit(dsp_form("({D+}, {D+}) = SEARCH {D}{rel}", plain<kSearch>,
-                                   "lanes better than A1 and A0 go there, P0 into the results"),
-                          kReadsA0 | kWritesA0 | kReadsA1 | kWritesA1),
-            check_first_two),
+    two_results<0, 1>(
+        with_implicit(dsp_form("({D+}, {D+}) = SEARCH {D}{rel}", plain<kSearch>,
+                               "lanes better than A1 and A0 go there, P0 into the results"),
+                      kReadsA0 | kWritesA0 | kReadsA1 | kWritesA1)),
 
     // halves and bytes put together
     dsp_form("{D!} = PACK({Dx}, {Dx})", plain<kPack>),

@@ -68,7 +68,7 @@ Outcome run_unit(ExecutionState& s, const Operation& o, MultiplyOption option) {
     overflow = product.saturated && !sums(part);
     if constexpr (sums(part)) {
       const int32_t how = o[kControl] >> (unit == 1 ? kHow1 : kHow0) & 3;
-      const int64_t old = is_signed(option) ? a : a & kMask40;
+      const int64_t old = is_signed(option) ? a : static_cast<int64_t>(bits40(a));
       const int64_t exact = how == kSet ? result : how == kAdd ? old + result : old - result;
       const Accumulated sum = accumulate(exact, option);
       const bool saturated =
@@ -86,7 +86,7 @@ Outcome run_unit(ExecutionState& s, const Operation& o, MultiplyOption option) {
     return {};
   }
   if constexpr (part != Part::half_product && part != Part::word_product) {
-    result = is_signed(option) ? a : a & kMask40;
+    result = is_signed(option) ? a : static_cast<int64_t>(bits40(a));
   }
   const Extracted extracted =
       is_word(part) ? extract_word(result, option) : extract_half(result, option, s.rnd_mod != 0);
@@ -131,6 +131,16 @@ constexpr auto kIntegerProduct = [](ExecutionState& s, const Operation& o) {
   s.v = 0;
 };
 
+// Chooses the short way of a product whose option needs no more.
+void prepare_integer_product(Operation& operation, int32_t option, std::size_t unit) {
+  const bool as_signed = option == static_cast<int32_t>(MultiplyMode::is);
+  if (as_signed || option == static_cast<int32_t>(MultiplyMode::fu)) {
+    operation.execute = as_signed ? plain<kIntegerProduct<true>> : plain<kIntegerProduct<false>>;
+    operation.operand[0] = operation.operand[1 - unit];
+    operation.operand[kFactors] = operation.operand[kFactors + 1 - unit];
+  }
+}
+
 // Reads one unit's operands as its pattern has them: destination, `{acc}`, two factors.
 template <Part part, int unit>
 int read_part(const OperandNumbers& operand, int next, Operation& operation) {
@@ -158,15 +168,10 @@ void prepare(const OperandNumbers& operand, Operation& operation) {
   next = read_part<part0, 0>(operand, next, operation);
   const int32_t option = operand[static_cast<std::size_t>(next)];
   operation.operand[kControl] |= option;
-  if constexpr (part1 == Part::none && part0 == Part::word_product) {
-    if (option == static_cast<int32_t>(MultiplyMode::is) ||
-        option == static_cast<int32_t>(MultiplyMode::fu)) {
-      operation.execute = option == static_cast<int32_t>(MultiplyMode::is)
-                              ? plain<kIntegerProduct<true>>
-                              : plain<kIntegerProduct<false>>;
-      operation.operand[0] = operation.operand[1];
-      operation.operand[kFactors] = operation.operand[kFactors + 1];
-    }
+  constexpr bool kOneProduct = (part1 == Part::none && part0 == Part::word_product) ||
+                               (part1 == Part::word_product && part0 == Part::none);
+  if constexpr (kOneProduct) {
+    prepare_integer_product(operation, option, part1 == Part::none ? 0 : 1);
   }
 }
 

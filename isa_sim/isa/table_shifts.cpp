@@ -3,6 +3,7 @@
 // which was held against the chip.
 #include <isa_sim/isa/choice.hpp>
 #include <isa_sim/isa/dsp_form.hpp>
+#include <isa_sim/isa/multiplier.hpp>
 #include <isa_sim/isa/semantics.hpp>
 #include <isa_sim/isa/table.hpp>
 
@@ -149,12 +150,6 @@ std::uint64_t rotate(ExecutionState& s, std::uint64_t value, int amount, int bit
   return turned & ((std::uint64_t{1} << bits) - 1);
 }
 
-constexpr std::uint64_t kMask40 = (std::uint64_t{1} << 40) - 1;
-std::uint64_t bits40(int64_t accumulator) {
-  return static_cast<std::uint64_t>(accumulator) & kMask40;
-}
-int64_t accumulator_of(std::uint64_t value) { return static_cast<int64_t>(value << 24) >> 24; }
-
 template <bool by_register>
 constexpr auto kRotate = [](ExecutionState& s, const Operation& o) {
   const int amount = by_register ? shift_amount(reg(s, register_of(o[2]))) : o[2];
@@ -212,7 +207,7 @@ template <bool shift>
 constexpr auto kParityOfRegister = [](ExecutionState& s, const Operation& o) {
   std::uint64_t a = bits40(s.accumulator[0]);
   if (shift) {
-    a = a << 1 & kMask40;
+    a = a << 1 & kAllBits40;
     s.accumulator[0] = accumulator_of(a);
   }
   s.cc = parity(a & reg(s, o[1]));

@@ -116,21 +116,12 @@ constexpr auto kSumAbsolute = [](ExecutionState& s, const Operation& o) {
   s.accumulator = {low, high};
 };
 
-std::string_view check_two_results(const OperandNumbers& operand) {
-  return operand[0] == operand[1] ? "the two results go to different registers" : "";
-}
-
 constexpr Instruction video_form(std::string_view syntax, Execute execute,
                                  std::string_view meaning) {
   Instruction form = early_dsp_form(syntax, execute, meaning);
   form.aligns = true;
   return form;
 }
-constexpr Instruction two_results(Instruction form) {
-  form.check = check_two_results;
-  return form;
-}
-
 constexpr Instruction kTable[] = {
     video_form("DISALGNEXCPT", plain<[](ExecutionState&, const Operation&) {}>,
                "loads of this packet through I registers ignore the two low address bits"),
@@ -139,13 +130,13 @@ constexpr Instruction kTable[] = {
                "two averages of two by two bytes"),
     video_form("{D!} = BYTEOP3P({DD}, {DD}){lohi}", plain<kAddClipped>,
                "two halves plus two bytes, clipped to bytes"),
-    two_results(video_form("({D!}, {D!}) = BYTEOP16P({DD}, {DD}){r}", plain<kBytesToHalves<false>>,
-                           "four sums of bytes")),
-    two_results(video_form("({D!}, {D!}) = BYTEOP16M({DD}, {DD}){r}", plain<kBytesToHalves<true>>,
-                           "four differences of bytes")),
+    two_results<0, 1>(video_form("({D!}, {D!}) = BYTEOP16P({DD}, {DD}){r}",
+                                 plain<kBytesToHalves<false>>, "four sums of bytes")),
+    two_results<0, 1>(video_form("({D!}, {D!}) = BYTEOP16M({DD}, {DD}){r}",
+                                 plain<kBytesToHalves<true>>, "four differences of bytes")),
     video_form("{D!} = BYTEPACK({D}, {D})", plain<kPackBytes>, "the low bytes of four halves"),
-    two_results(video_form("({D!}, {D!}) = BYTEUNPACK {DD}{r}", plain<kUnpackBytes>,
-                           "four bytes into four halves")),
+    two_results<0, 1>(video_form("({D!}, {D!}) = BYTEUNPACK {DD}{r}", plain<kUnpackBytes>,
+                                 "four bytes into four halves")),
     with_implicit(video_form("SAA({DD}, {DD}){r}", plain<kSumAbsolute>,
                              "absolute differences of four bytes, added to four halves"),
                   kReadsA0 | kWritesA0 | kReadsA1 | kWritesA1),

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <limits>
@@ -297,6 +298,14 @@ std::optional<BadWord> split_words(std::string_view text, Dialect dialect,
     return std::move(bad);
   }
   return std::nullopt;
+}
+
+std::string upper_case(std::string_view text) {
+  std::string upper(text);
+  std::ranges::transform(upper, upper.begin(), [](char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  });
+  return upper;
 }
 
 std::vector<Token> tokenize(std::string_view text, const std::string& file) {

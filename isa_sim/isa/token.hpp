@@ -46,6 +46,9 @@ struct BadWord {
   std::string message;
 };
 
+// ASCII letters alone.
+[[nodiscard]] std::string upper_case(std::string_view text);
+
 // Appends the tokens of a whole text, which view it. Returns what stops it, if anything does.
 [[nodiscard]] std::optional<BadWord> split_words(std::string_view text, Dialect dialect,
                                                  std::vector<Token>& tokens);

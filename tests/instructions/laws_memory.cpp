@@ -7,10 +7,6 @@ namespace finback::isa::laws {
 
 namespace {
 
-bool has(std::string_view text, std::string_view part) {
-  return text.find(part) != std::string_view::npos;
-}
-
 // What stands inside the brackets, and to the left and right of the sign of equality.
 struct Access {
   std::string_view inside;

@@ -6,10 +6,6 @@ namespace finback::isa::laws {
 
 namespace {
 
-bool has(std::string_view text, std::string_view part) {
-  return text.find(part) != std::string_view::npos;
-}
-
 // "CC = {D} < {imm3} (IU)": the registers as signed numbers, or unsigned with (IU).
 void comparison(Trial& t) {
   const bool as_unsigned = has(t.syntax, "(IU)");

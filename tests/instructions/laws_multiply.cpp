@@ -7,10 +7,6 @@ namespace finback::isa::laws {
 
 namespace {
 
-bool has(std::string_view text, std::string_view part) {
-  return text.find(part) != std::string_view::npos;
-}
-
 struct Option {
   MultiplyMode mode = MultiplyMode::fraction;
   bool mixed = false;

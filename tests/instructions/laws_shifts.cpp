@@ -9,10 +9,6 @@ namespace finback::isa::laws {
 
 namespace {
 
-bool has(std::string_view text, std::string_view part) {
-  return text.find(part) != std::string_view::npos;
-}
-
 // One value of `bits` bits, one place at a time to the left; notes what is lost on the way.
 struct Shifted {
   Exact value = 0;

@@ -83,6 +83,10 @@ struct Trial {
   void store(Address address, int bytes, std::uint32_t stored);
 };
 
+[[nodiscard]] inline bool has(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
 // Whether `exact` is a number of so many bits, and the nearest that is.
 [[nodiscard]] bool fits(Exact exact, int bits);
 [[nodiscard]] Exact nearest(Exact exact, int bits);
