@@ -67,12 +67,7 @@ class Verifier {
     }
     for (std::size_t i = 0; i < function.packets.size(); ++i) {
       const Packet& packet = function.packets[i];
-      if (packet.slots.size() > 1) {
-        verify_slots(packet);
-        verify_anomaly(packet);
-      }
-      verify_operands(packet);
-      verify_destinations(packet);
+      verify_packet(packet);
       if (form(packet.slots[0]).flow == Flow::loop_setup) {
         verify_loop(function, i);
       }
@@ -85,6 +80,7 @@ class Verifier {
       verify_slots(packet);
       verify_anomaly(packet);
     }
+    verify_operands(packet);
     verify_destinations(packet);
   }
 

@@ -55,6 +55,11 @@ int part_value(OperandKind kind, const Word& word) {
   }
 }
 
+bool has_other_parity(OperandKind kind, const Word& word) {
+  return (kind == OperandKind::data_even || kind == OperandKind::data_odd) && word.part == '\0' &&
+         word.reg >= 0 && is_data_register(word.reg);
+}
+
 bool fits(OperandKind kind, std::int64_t value) {
   const auto range = immediate_range(kind);
   return range && value >= range->minimum && value <= range->maximum && value % range->scale == 0;
@@ -134,7 +139,8 @@ class Matcher {
     if (!read && misfits_ != nullptr && !misfit_ && position < tokens_.size() &&
         tokens_[position].is("(")) {
       // What stands inside the parenthesis, or the parenthesis where nothing follows.
-      misfit_ = Misfit{std::min(position + 1, tokens_.size() - 1), edge.step.operand, {}, false};
+      misfit_ =
+          Misfit{std::min(position + 1, tokens_.size() - 1), edge.step.operand, {}, false, false};
       current_.operand[slot] = {};
       walk(edge.target, after_parenthesis(position), operands + 1, false);
       misfit_.reset();
@@ -161,7 +167,11 @@ class Matcher {
       slot = read.value;
       walk(edge.target, position + read.tokens, operands + 1, false);
     } else if (misfits_ != nullptr && !misfit_) {
-      misfit_ = Misfit{position, edge.step.operand, {}, is_number(position)};
+      misfit_ = Misfit{position,
+                       edge.step.operand,
+                       {},
+                       is_number(position),
+                       has_other_parity(edge.step.operand, words_[position])};
       slot = {};
       walk(edge.target, position + (is_signed_number(position) ? 2 : 1), operands + 1, false);
       misfit_.reset();
@@ -175,8 +185,8 @@ class Matcher {
       walk(edge.target, position + read.tokens, operands, false);
     } else if (misfits_ != nullptr && !misfit_) {
       const OperandValue wanted{static_cast<std::int32_t>(earlier.number), {}};
-      misfit_ =
-          Misfit{position, edge.step.operand, print_operand(edge.step.operand, wanted), false};
+      misfit_ = Misfit{position, edge.step.operand, print_operand(edge.step.operand, wanted), false,
+                       false};
       walk(edge.target, position + 1, operands, false);
       misfit_.reset();
     }

@@ -15,6 +15,7 @@ struct Misfit {
   OperandKind kind = OperandKind::data;
   std::string repeated;  // what operand was to be written once more; "" for others
   bool number = false;   // a number stands there
+  bool near = false;     // an odd register for an even one, or the other way
 };
 
 // The first entry in table order that reads all of `tokens`; entry -1 when none does. With

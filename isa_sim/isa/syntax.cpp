@@ -144,7 +144,11 @@ SyntaxProblem Syntax::explain(std::span<const Token> tokens) const {
                         lines ? ": is a ';' missing?" : ""),
             0};
   }
-  // The reading that went well furthest is the one that was meant.
+  // A register of the wrong parity is all that is wrong with what was meant; else the reading that
+  // went well furthest is it.
+  if (std::ranges::any_of(misfits, &Misfit::near)) {
+    std::erase_if(misfits, [](const Misfit& misfit) { return !misfit.near; });
+  }
   const std::size_t token = std::ranges::max(misfits, {}, &Misfit::token).token;
   std::erase_if(misfits, [&](const Misfit& misfit) { return misfit.token != token; });
   const bool two = (tokens[token].is("-") || tokens[token].is("+")) && misfits.front().number;

@@ -1,7 +1,10 @@
 // Each rule of the verifier, broken once: the message names the rule, and nothing else is reported.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tests/ir/support.hpp>
+
+#include <isa_sim/assembler/assemble.hpp>
 
 namespace finback::ir {
 namespace {
@@ -63,6 +66,19 @@ TEST(Verifier, Destinations) {
               ElementsAre("a.bir:4:1: two instructions of this packet write I0"));
   EXPECT_THAT(problems_of("P0 = [P0++]; RTS;"),
               ElementsAre("a.bir:4:1: 'P0 = [P0++]' writes P0 twice"));
+}
+
+// Rules of single instructions, in functions and in assembler files.
+TEST(Verifier, OperandsThatBelongTogether) {
+  constexpr const char* kHalves = "R2.H = (A1 = R0.L * R1.L), R3.L = (A0 = R0.H * R1.H)";
+  const std::string problem =
+      fmt::format("'{}': the two results go to the halves of one register", kHalves);
+  EXPECT_THAT(problems_of(fmt::format("{};\nRTS;", kHalves)), ElementsAre("a.bir:4:1: " + problem));
+  const Program pieces = assembler::assemble(fmt::format("{};\n", kHalves), "a.s");
+  EXPECT_THAT(problems(pieces, isa::instruction_syntax()), ElementsAre("a.s:1:1: " + problem));
+  EXPECT_THAT(problems_of("A1 += R0.L * R1.L, A0 += R0.H * R2.H;\nRTS;"),
+              ElementsAre("a.bir:4:1: 'A1 += R0.L * R1.L, A0 += R0.H * R2.H': both products take "
+                          "their halves from the same two registers"));
 }
 
 TEST(Verifier, Anomaly05000074) {

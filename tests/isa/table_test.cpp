@@ -84,14 +84,17 @@ TEST(Disassemble, PrintsLinkedOperands) {
             "CALL 0xffa00010");
 }
 
-// An option that is not closed, or not even begun, is blamed on what is there.
-TEST(Options, UnfinishedOnesAreExplained) {
+// An option that is not closed, or not even begun, is blamed on what is there; of an odd register
+// for an even one, that is said.
+TEST(Explain, OptionsAndParity) {
   const auto blamed = [](std::string_view text) {
     const std::vector<Token> tokens = tokenize(text);
     const SyntaxProblem problem = instruction_syntax().explain(tokens);
     return problem.token < tokens.size() ? problem.message : "beyond the text";
   };
   EXPECT_TRUE(blamed("R7 = (A1 = R0.H * R7.H) (").starts_with("( cannot stand here: (FU) or"));
+  EXPECT_EQ(blamed("R1 = A0"),
+            "R1 cannot stand here: an even data register R0, R2, R4 or R6 is wanted");
   EXPECT_TRUE(blamed("R7 = (A1 = R0.H * R7.H) (XX)").starts_with("XX cannot stand here: (FU) or"));
 }
 
