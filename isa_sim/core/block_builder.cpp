@@ -12,8 +12,6 @@ using isa::Operation;
 
 namespace {
 
-constexpr Address kFetchBytes = 8;  // hardware.md 1.1: 64 bits from 8-byte boundaries
-
 bool is_nop(const Instruction& info) {
   return info.energy == isa::Energy::nop &&
          (info.slot == isa::Slot::nop || info.slot == isa::Slot::dsp);
@@ -131,6 +129,17 @@ std::uint32_t BlockBuilder::packet_at(Address address) const {
   return found == packet_index_.end() ? kNoPacket : found->second;
 }
 
+std::uint32_t BlockBuilder::entry_state(Address address, std::uint32_t state) {
+  const std::uint32_t index = packet_at(address);
+  if (!states_.state(state).refilled() ||
+      (index != kNoPacket && pipeline_.target_stall(image_.packets[index]) > 0)) {
+    return state;
+  }
+  PipelineState same = states_.state(state);
+  same.set_refilled(false);
+  return states_.number_of(same);
+}
+
 std::unique_ptr<Block> BlockBuilder::build(Address address, std::uint32_t state,
                                            std::uint32_t packets) {
   const std::uint32_t first = packet_at(address);
@@ -161,13 +170,14 @@ std::unique_ptr<Block> BlockBuilder::build(Address address, std::uint32_t state,
   block.last_packet_address = last->address;
   block.end = last->address + last->length;
   block.may_end_loop = loop_bottoms_.contains(last->address);
-  set_exit(block, *last);
+  const bool refills = set_exit(block, *last);
   if (block.may_end_loop && block.ends != BlockEnd::falls_through) {
     Operation bottom = draft.operations.back();
     bottom.execute = block.ends == BlockEnd::call ? leave_bottom<true> : leave_bottom<false>;
     draft.operations.insert(draft.operations.end() - 1, bottom);
   }
   draft.state.advance(block.fall_extra);
+  draft.state.set_refilled(refills);
   block.exit_state = states_.number_of(draft.state);
   Operation leave;
   leave.execute = leave_block;
@@ -197,17 +207,24 @@ void BlockBuilder::add_packet(Draft& draft, std::uint32_t index) const {
 
 void BlockBuilder::add_fetch(Draft& draft, const ir::PlacedPacket& packet,
                              std::uint32_t index) const {
+  const bool led_to = draft.state.refilled();
+  draft.state.set_refilled(false);
   const memory::Region* region = memory_.map().find(packet.address);
   if (region == nullptr || region->level == memory::Level::l1) {
+    if (const Cycles stall = led_to ? pipeline_.target_stall(packet) : 0; stall > 0) {
+      draft.block->cycles += stall;
+      draft.block->costs.push_back({index, Cause::fetch, static_cast<std::uint32_t>(stall)});
+      draft.state.advance(stall);
+    }
     return;
   }
-  const Address line = packet.address & ~(kFetchBytes - 1);
-  const Address from = std::max(line, draft.fetched_to);
-  const Address to = (packet.address + packet.length + kFetchBytes - 1) & ~(kFetchBytes - 1);
+  const auto bytes = static_cast<Address>(std::int64_t{parameters_.fetch_bytes});
+  const Address from = std::max(packet.address / bytes * bytes, draft.fetched_to);
+  const Address to = (packet.address + packet.length + bytes - 1) / bytes * bytes;
   if (to <= from) {
     return;
   }
-  const std::uint32_t lines = (to - from) / kFetchBytes;
+  const std::uint32_t lines = (to - from) / bytes;
   const Cycles cycles = lines * memory_.fetch_line_cost(region->level);
   draft.fetched_to = to;
   draft.block->fetched_lines += lines;
@@ -310,7 +327,7 @@ void BlockBuilder::add_conflict_check(Draft& draft, const ir::PlacedPacket& pack
   }
 }
 
-void BlockBuilder::set_exit(Block& block, const ir::PlacedPacket& last) const {
+bool BlockBuilder::set_exit(Block& block, const ir::PlacedPacket& last) const {
   const Cycles taken = cycles_of(parameters_.branch_taken) - 1;
   const Cycles mispredicted = cycles_of(parameters_.branch_mispredicted) - 1;
   switch (flow_of(last)) {
@@ -318,36 +335,37 @@ void BlockBuilder::set_exit(Block& block, const ir::PlacedPacket& last) const {
     case Flow::loop_setup:
     case Flow::idle:
     case Flow::event:
-      break;
+      return false;
     case Flow::jump:
     case Flow::jump_indirect:
       block.ends = BlockEnd::jump;
       refill_always(block, taken);
-      break;
+      return true;
     case Flow::call:
     case Flow::call_indirect:
       block.ends = BlockEnd::call;
       refill_always(block, taken);
-      break;
+      return true;
     case Flow::ret:
       block.ends = BlockEnd::ret;
       refill_always(block, taken);
-      break;
+      return true;
     case Flow::ret_event:
       block.ends = BlockEnd::ret_event;
       refill_always(block, taken);
-      break;
+      return true;
     case Flow::branch:
       block.ends = BlockEnd::branch;
       block.taken_extra = mispredicted;
       block.taken_cause = Cause::branch_mispredict;
-      break;
+      return false;
     case Flow::branch_predicted:
       block.ends = BlockEnd::branch;
       block.taken_extra = taken;
       block.fall_extra = mispredicted;
-      break;
+      return true;
   }
+  return false;
 }
 
 }  // namespace finback::core

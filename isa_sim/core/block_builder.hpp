@@ -26,6 +26,10 @@ class BlockBuilder {
   // kept waiting.
   static constexpr std::uint32_t kMaxPackets = 64;
 
+  // The state that stands for `state` at `address`: where an empty alignment buffer costs nothing,
+  // it needs no block of its own.
+  [[nodiscard]] std::uint32_t entry_state(Address address, std::uint32_t state);
+
   // The block at `address`, entered in pipeline state `state`; nullptr when no packet starts there.
   // `packets`: it has just so many, whatever they are; 0: as many as belong together.
   [[nodiscard]] std::unique_ptr<Block> build(Address address, std::uint32_t state,
@@ -68,7 +72,8 @@ class BlockBuilder {
   void add_conflict_check(Draft& draft, const ir::PlacedPacket& packet, std::uint32_t index,
                           Cycles cycle) const;
   void add_fetch(Draft& draft, const ir::PlacedPacket& packet, std::uint32_t index) const;
-  void set_exit(Block& block, const ir::PlacedPacket& last) const;
+  // True when the pipeline is refilled even where control falls through.
+  [[nodiscard]] bool set_exit(Block& block, const ir::PlacedPacket& last) const;
 
   const ir::CoreImage& image_;
   const CoreParameters& parameters_;

@@ -188,7 +188,7 @@ void Core::start(Cycles at, const Start& how) {
     throw GuestFault(fmt::format("{}: the program begins at {:#010x}, where no instruction is",
                                  name_of(id_), image_.entry));
   }
-  current_ = block_at(image_.entry, 0);
+  current_ = block_at(image_.entry, PipelineStates::kEmpty);
   calls_.start(current_->function, at);
 }
 
@@ -255,7 +255,7 @@ Block* Core::successor(Block& block, Address next, bool refill) {
       return exit.block;
     }
   }
-  Block* found = block_at(next, refill ? 0 : block.exit_state);
+  Block* found = block_at(next, refill ? PipelineStates::kRefilled : block.exit_state);
   // The newest successor stays; a return's two callers at hand are enough.
   std::swap(block.exits[0], block.exits[1]);
   block.exits[0] = {next, found};
@@ -264,6 +264,7 @@ Block* Core::successor(Block& block, Address next, bool refill) {
 
 Block* Core::block_at(Address address, std::uint32_t state) {
   constexpr int kStyleBits = 2;
+  state = builder_.entry_state(address, state);
   const std::uint64_t key = (std::uint64_t{state} << kStyleBits | builder_.style()) << 32 | address;
   const auto known = block_index_.find(key);
   if (known != block_index_.end()) {

@@ -145,7 +145,7 @@ void Core::enter(int event, Address back) {
         "{}: interrupt {} at {}, but EVT{} holds {:#010x}, where no instruction is", name_of(id_),
         event_name(event), place(current_->first_packet), event, handler));
   }
-  current_ = block_at(handler, 0);
+  current_ = block_at(handler, PipelineStates::kRefilled);
   calls_.enter_interrupt(current_->function, back, state_.time);
   const Cycles entry = cycles_of(parameters_.interrupt_entry);
   dynamic_[current_->first_packet][static_cast<std::size_t>(Cause::interrupt_entry)] += entry;

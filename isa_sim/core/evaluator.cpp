@@ -13,6 +13,16 @@ namespace finback::core {
 using isa::ExecutionState;
 using isa::Operation;
 
+namespace {
+
+// Whatever the target is, be it the very next packet.
+bool always_leaves(isa::Flow flow) {
+  return flow == isa::Flow::jump || flow == isa::Flow::jump_indirect || flow == isa::Flow::call ||
+         flow == isa::Flow::call_indirect || flow == isa::Flow::ret;
+}
+
+}  // namespace
+
 struct Evaluator::Hooks {
   static Evaluator& self(ExecutionState& state) { return *static_cast<Evaluator*>(state.engine); }
 
@@ -82,9 +92,9 @@ bool Evaluator::run(std::uint64_t max_packets) {
 
 void Evaluator::execute(const ir::PlacedPacket& packet) {
   ++packets_;
-  Cycles issue_at = next_issue_;
   Cycles length = 1;
   const Pipeline pipeline(parameters_);
+  Cycles issue_at = next_issue_ + (refilled_ ? pipeline.target_stall(packet) : 0);
   for (std::size_t slot = 0; slot < packet.count; ++slot) {
     stall_for_operands(packet.slots[slot], issue_at);
     length = std::max(length, pipeline.issue_cycles(packet.slots[slot]));
@@ -124,10 +134,11 @@ void Evaluator::execute(const ir::PlacedPacket& packet) {
   const isa::Flow flow = info_of(packet.slots[0]).flow;
   const bool taken = state_.next_address != fall_through;
   const bool conditional = flow == isa::Flow::branch || flow == isa::Flow::branch_predicted;
-  if (conditional && taken != (flow == isa::Flow::branch_predicted)) {
+  const bool mispredicted = conditional && taken != (flow == isa::Flow::branch_predicted);
+  refilled_ = mispredicted || taken || always_leaves(flow);
+  if (mispredicted) {
     end += cycles_of(parameters_.branch_mispredicted) - 1;
-  } else if (taken || flow == isa::Flow::jump || flow == isa::Flow::call ||
-             flow == isa::Flow::ret) {
+  } else if (refilled_) {
     end += cycles_of(parameters_.branch_taken) - 1;
   }
   end_pass(packet, flow, taken);
@@ -139,8 +150,7 @@ void Evaluator::execute(const ir::PlacedPacket& packet) {
 void Evaluator::end_pass(const ir::PlacedPacket& packet, isa::Flow flow, bool taken) {
   auto& reg = state_.reg;
   const bool call = flow == isa::Flow::call || flow == isa::Flow::call_indirect;
-  const bool leaves = taken || call || flow == isa::Flow::jump ||
-                      flow == isa::Flow::jump_indirect || flow == isa::Flow::ret;
+  const bool leaves = taken || always_leaves(flow);
   for (const std::size_t loop : {std::size_t{1}, std::size_t{0}}) {
     if (reg[isa::LC0 + loop] == 0 || reg[isa::LB0 + loop] != packet.address) {
       continue;

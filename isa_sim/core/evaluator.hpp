@@ -50,6 +50,7 @@ class Evaluator {
   std::array<Cycles, isa::kRegisterCount> ex1_ready_{};
   Cycles next_issue_ = 0;
   std::uint64_t packets_ = 0;
+  bool refilled_ = false;  // the packet before was left by a change of flow
   bool idle_ = false;
 };
 

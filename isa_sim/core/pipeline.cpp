@@ -127,6 +127,13 @@ void Pipeline::note_results(const ir::PlacedInstruction& instruction, PipelineSt
   }
 }
 
+PipelineStates::PipelineStates() {
+  PipelineState state;
+  static_cast<void>(number_of(state));
+  state.set_refilled(true);
+  static_cast<void>(number_of(state));
+}
+
 std::uint32_t PipelineStates::number_of(const PipelineState& state) {
   const auto [entry, added] = numbers_.emplace(state, static_cast<std::uint32_t>(states_.size()));
   if (added) {

@@ -1,9 +1,10 @@
 // The static timing of a ten-stage, in-order, interlocked pipeline: what a packet costs, given what
 // went before it.
 //
-// Models: one packet a cycle, instructions that hold the pipeline, and the interlocks of
-// hardware.md 1.5 (load or move to a pointer, ALU result needed in EX1). Memory, branches and fetch
-// are costed elsewhere. Does not model: the store buffer's forwarding, stalls on RETS and on loop
+// Models: one packet a cycle, instructions that hold the pipeline, the interlocks of hardware.md 1.5
+// (load or move to a pointer, ALU result needed in EX1), and the alignment buffer: full in straight
+// code and in loops, empty after a change of flow. Memory, branches and fetch from L2 and L3 are
+// costed elsewhere. Does not model: the store buffer's forwarding, stalls on RETS and on loop
 // registers read back.
 #pragma once
 
@@ -21,7 +22,7 @@
 namespace finback::core {
 
 // Results on their way: for each register, how many more cycles until it can be used in stage AC,
-// and in EX1.
+// and in EX1; and whether the alignment buffer was emptied by a change of flow.
 class PipelineState {
  public:
   struct Wait {
@@ -33,15 +34,20 @@ class PipelineState {
   [[nodiscard]] const Wait& wait(int reg) const { return waits_[static_cast<std::size_t>(reg)]; }
   void set(int reg, Wait wait) { waits_[static_cast<std::size_t>(reg)] = wait; }
   void advance(Cycles cycles);
+  [[nodiscard]] bool refilled() const { return refilled_; }
+  void set_refilled(bool refilled) { refilled_ = refilled; }
   bool operator==(const PipelineState&) const = default;
   // Some order, for a map.
   [[nodiscard]] bool operator<(const PipelineState& other) const {
-    return std::ranges::lexicographical_compare(waits_, other.waits_, {}, key, key);
+    return refilled_ != other.refilled_
+               ? other.refilled_
+               : std::ranges::lexicographical_compare(waits_, other.waits_, {}, key, key);
   }
 
  private:
   static int key(const Wait& wait) { return wait.address_stage << 8 | wait.ex1; }
   std::array<Wait, isa::L3 + 1> waits_{};
+  bool refilled_ = false;
 };
 
 // What a packet costs before its memory accesses: its issue and the stall before it.
@@ -60,17 +66,27 @@ class Pipeline {
 
   [[nodiscard]] Cycles issue_cycles(const ir::PlacedInstruction& instruction) const;
 
+  // The stall before a packet in L1 that control was led to.
+  [[nodiscard]] Cycles target_stall(const ir::PlacedPacket& packet) const {
+    const auto line = static_cast<Address>(std::int64_t{parameters_.fetch_bytes});
+    return packet.address % line + packet.length > line
+               ? static_cast<Cycles>(std::int64_t{parameters_.split_target})
+               : 0;
+  }
+
  private:
   void note_results(const ir::PlacedInstruction& instruction, PipelineState& state) const;
 
   const CoreParameters& parameters_;
 };
 
-// Gives equal pipeline states one small number, so that a block is known by (address, number). 0 is
-// the empty state.
+// Gives equal pipeline states one small number, so that a block is known by (address, number).
 class PipelineStates {
  public:
-  PipelineStates() { static_cast<void>(number_of(PipelineState{})); }
+  // Nothing is on its way; and so after a change of flow.
+  static constexpr std::uint32_t kEmpty = 0;
+  static constexpr std::uint32_t kRefilled = 1;
+  PipelineStates();
   [[nodiscard]] std::uint32_t number_of(const PipelineState& state);
   [[nodiscard]] const PipelineState& state(std::uint32_t number) const { return *states_[number]; }
 

@@ -116,6 +116,59 @@ INSTANTIATE_TEST_SUITE_P(
                   "LC1 = P0; .Li: R2 = R2 + R0; .Le: NOP;\n",
                   2 + 2 * (1 + 1 + 3 + 1)}));
 
+// A packet that begins `offset` bytes after a multiple of 8 and is led to by `jump`.
+Cycles cycles_of_target(int offset, const std::string& jump, const std::string& packet) {
+  std::string gap;
+  for (int bytes = 0; bytes < offset; bytes += 2) {
+    gap += "NOP; ";
+  }
+  const auto text = [&](const std::string& there) {
+    return ".text\n.global _start\n.type _start, @function\n.align 8\n_start: R0 = 0 (X); CC = R0 "
+           "== 0; " +
+           jump + "\nNOP;\n.align 8\n" + gap + ".Lx: " + there + "\nIDLE; RTS;\n.size _start, "
+           ".-_start\n";
+  };
+  CoreHarness with(text(packet));
+  CoreHarness without(text("NOP;"));
+  const Cycles cycles = with.run() + 1 - without.run();
+  EXPECT_EQ(with.evaluate(), with.core().profile().cycles);
+  return cycles;
+}
+
+TEST(Fetch, APacketThatIsLedToWaitsOnlyForASecondFetch) {
+  const std::string packet = "R1 = R0 + R0 (NS) || NOP || NOP;";  // 8 bytes
+  const std::string wide = "R1 = 1000 (X);";                     // 4 bytes
+  for (const char* jump : {"JUMP.S .Lx;", "IF CC JUMP .Lx (BP);", "IF CC JUMP .Lx;"}) {
+    for (const int offset : {0, 2, 4, 6}) {
+      EXPECT_EQ(cycles_of_target(offset, jump, packet), offset == 0 ? 1U : 2U) << jump << offset;
+      EXPECT_EQ(cycles_of_target(offset, jump, wide), offset == 6 ? 2U : 1U) << jump << offset;
+    }
+  }
+}
+
+TEST(Fetch, StraightCodeAndLoopsNeverWait) {
+  const std::string packet = "R1 = R0 + R0 (NS) || NOP || NOP; ";
+  for (const char* gap : {"", "NOP; ", "NOP; NOP; ", "NOP; NOP; NOP; "}) {
+    EXPECT_EQ(cycles_of(gap + packet + packet + packet) - cycles_of(gap), 3U);
+    const std::string loop = "P0 = 5 (X); LSETUP (.Lt, .Le) LC0 = P0; ";
+    EXPECT_EQ(cycles_of(loop + gap + ".Lt: " + packet + ".Le: " + packet) -
+                  cycles_of(loop + gap + ".Lt: NOP; .Le: NOP;"),
+              0U);
+  }
+}
+
+TEST(Fetch, ItsWidthAndItsWaitAreParameters) {
+  const std::string body = "JUMP.S .Lx; NOP; NOP; .Lx: R1 = R0 + R0 (NS) || NOP || NOP;";
+  const auto cycles = [&](int bytes, int wait) {
+    CoreHarness harness(program(body));
+    harness.parameters().fetch_bytes.set(bytes);
+    harness.parameters().split_target.set(wait);
+    return harness.run();
+  };
+  EXPECT_EQ(cycles(8, 3), cycles(8, 0) + 3);
+  EXPECT_EQ(cycles(16, 3), cycles(8, 0));
+}
+
 TEST(Calls, CallAndReturnTakeFiveEach) {
   const std::string body =
       ".text\n.global _start\n.type _start, @function\n_start: CALL _f; IDLE; RTS;\n.size _start, "
