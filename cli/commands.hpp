@@ -30,9 +30,7 @@ void add_annotate_command(CLI::App& app, Action& action);
 void add_explore_command(CLI::App& app, Action& action);
 void add_machine_command(CLI::App& app, Action& action);
 void add_exec_command(CLI::App& app, Action& action, std::vector<std::string> arguments);
+void add_trace_command(CLI::App& app, Action& action, std::vector<std::string> arguments);
 void add_isa_command(CLI::App& app, Action& action);
-
-// Takes what stands behind `--` off the command line of `finback exec`: its program's arguments.
-[[nodiscard]] std::vector<std::string> take_program_arguments(int& argc, char** argv);
 
 }  // namespace finback::cli

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <cli/commands.hpp>
+#include <cli/program_options.hpp>
 #include <common/error.hpp>
 #include <common/parameter.hpp>
 
@@ -44,7 +45,9 @@ int parse_and_run(int argc, char** argv) {
   add_profile_command(app, action);
   add_annotate_command(app, action);
   add_explore_command(app, action);
-  add_exec_command(app, action, take_program_arguments(argc, argv));
+  const std::vector<std::string> program_arguments = take_program_arguments(argc, argv);
+  add_exec_command(app, action, program_arguments);
+  add_trace_command(app, action, program_arguments);
   add_machine_command(app, action);
   add_isa_command(app, action);
   try {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <cli/run_options.hpp>
 
 namespace finback::cli {
@@ -80,9 +82,11 @@ runner::RunRequest with_given_options(const CLI::App& command, const runner::Run
   return base;
 }
 
-void exclude_run_options(CLI::App& command, CLI::Option& option) {
+void exclude_run_options(CLI::App& command, CLI::Option& option,
+                         const std::vector<std::string>& still) {
   for (CLI::Option* other : command.get_options()) {
-    if (other->get_group() == kGroup) {
+    if (other->get_group() == kGroup &&
+        std::ranges::find(still, other->get_name()) == still.end()) {
       option.excludes(other);
     }
   }

@@ -1,6 +1,9 @@
 // The options that say what is run: common to every command that runs a firmware.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <CLI/CLI.hpp>
 #include <runner/run_request.hpp>
 
@@ -15,7 +18,8 @@ void add_run_options(CLI::App& command, runner::RunRequest& request);
                                                     const runner::RunRequest& given,
                                                     runner::RunRequest base);
 
-// Says that `option` leaves nothing to run: none of them may be given with it.
-void exclude_run_options(CLI::App& command, CLI::Option& option);
+// Says that with `option` no firmware is run: none of them but `still` may be given with it.
+void exclude_run_options(CLI::App& command, CLI::Option& option,
+                         const std::vector<std::string>& still = {});
 
 }  // namespace finback::cli

@@ -54,6 +54,9 @@ RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
   if (observer.console) {
     host.set_console(observer.console);
   }
+  if (observer.ready) {
+    observer.ready(machine, image);
+  }
 
   machine::RunLimits limits;
   limits.cycles = inputs.cycle_limit;

@@ -23,6 +23,10 @@
 #include <report/run_result.hpp>
 #include <scenes/scene.hpp>
 
+namespace finback::machine {
+class Machine;
+}
+
 namespace finback::runner {
 
 // A firmware as it was found, with the names and hashes that the result tells.
@@ -54,6 +58,8 @@ struct RunObserver {
   std::function<bool(Cycles now, std::uint32_t frames_published)> cancelled;
   // Each line that the firmware prints.
   std::function<void(const std::string& line)> console;
+  // The machine before it runs; the image lives as long as the run.
+  std::function<void(machine::Machine& machine, const ir::Image& image)> ready;
 };
 
 struct RunOutcome {

@@ -42,6 +42,9 @@ ProgramOutcome run_program(const RunInputs& inputs, ProgramRun run) {
   machine.host().set_console(
       [output = run.host.output](const std::string& line) { output(1, line + "\n"); });
   machine.serve_programs(std::move(run.host));
+  if (run.ready) {
+    run.ready(machine, image);
+  }
   ProgramOutcome outcome;
   try {
     outcome.stop = machine.run(run.limits);

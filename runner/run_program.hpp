@@ -15,6 +15,8 @@ struct ProgramRun {
   machine::Begin begin = machine::Begin::program;
   machine::RunLimits limits;
   machine::ProgramHostOptions host;  // arguments, files, input and output
+  // The machine before it runs; the image lives as long as the run. May be empty.
+  std::function<void(machine::Machine& machine, const ir::Image& image)> ready;
   // Gets the registers of both cores when the program has ended, in whatever way; may be empty.
   std::function<void(const std::array<isa::ExecutionState, kCoreCount>& states)> registers;
 };

@@ -19,11 +19,13 @@ namespace finback::core {
 // How control leaves a block, for the profile's call stack.
 enum class BlockEnd : std::uint8_t { falls_through, jump, branch, call, ret, ret_event };
 
-// `cycles` of `cause` spent on `packet` each time the block runs.
+// `cycles` of `cause` spent on `packet` each time the block runs; an interlock's, waiting for
+// `reg`.
 struct StaticCost {
   std::uint32_t packet = 0;
   Cause cause = Cause::issue;
   std::uint32_t cycles = 0;
+  int reg = -1;
 };
 
 struct Block {

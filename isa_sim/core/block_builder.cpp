@@ -194,7 +194,8 @@ void BlockBuilder::add_packet(Draft& draft, std::uint32_t index) const {
   add_fetch(draft, packet, index);
   const PacketCost cost = pipeline_.issue(packet, draft.state);
   if (cost.stall > 0) {
-    block.costs.push_back({index, cost.stall_cause, static_cast<std::uint32_t>(cost.stall)});
+    block.costs.push_back(
+        {index, cost.stall_cause, static_cast<std::uint32_t>(cost.stall), cost.stall_register});
   }
   block.costs.push_back({index, Cause::issue, 1});
   if (cost.issue > 1) {

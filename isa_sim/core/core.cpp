@@ -46,10 +46,10 @@ struct Core::Hooks {
     const bool far = span->level == memory::Level::l3;
     if (write) {
       c.add_stall(o, far ? Cause::l3_write : Cause::l2_write,
-                  c.memory_.core_write(c.number_, span, address, bytes, c.now(o)));
+                  c.memory_.core_write(c.number_, span, address, bytes, c.now(o)), address);
     } else {
       c.add_stall(o, far ? Cause::l3_read : Cause::l2_read,
-                  c.memory_.core_read(c.number_, span, address, bytes, c.now(o)));
+                  c.memory_.core_read(c.number_, span, address, bytes, c.now(o)), address);
     }
     return span->at(address);
   }
@@ -66,13 +66,13 @@ struct Core::Hooks {
         c.no_register(o, address, bytes, false);
       }
       c.add_far_bytes(o, kDeviceBytes, bytes);
-      c.add_stall(o, Cause::device, c.core_register_stall_);
+      c.add_stall(o, Cause::device, c.core_register_stall_, address);
       return true;
     }
     c.guarded(o, [&] {
       const SystemPort::Read read = c.port_.device_read(c.number_, address, bytes, c.now(o));
       value = read.value;
-      c.add_stall(o, Cause::device, read.stall);
+      c.add_stall(o, Cause::device, read.stall, address);
     });
     c.add_far_bytes(o, kDeviceBytes, bytes);
     return true;
@@ -90,13 +90,13 @@ struct Core::Hooks {
         c.no_register(o, address, bytes, true);
       }
       c.add_far_bytes(o, kDeviceBytes, bytes);
-      c.add_stall(o, Cause::device, c.core_register_stall_);
+      c.add_stall(o, Cause::device, c.core_register_stall_, address);
       c.turn_.horizon = 0;
       return true;
     }
     c.guarded(o, [&] {
       c.add_stall(o, Cause::device,
-                  c.port_.device_write(c.number_, address, bytes, value, c.now(o)));
+                  c.port_.device_write(c.number_, address, bytes, value, c.now(o)), address);
     });
     c.add_far_bytes(o, kDeviceBytes, bytes);
     return true;
@@ -122,7 +122,7 @@ struct Core::Hooks {
     c.guarded(o, [&] {
       const bool far = span->level == memory::Level::l3;
       c.add_stall(o, far ? Cause::l3_read : Cause::l2_read,
-                  c.memory_.core_test_and_set(c.number_, span, address, c.now(o)));
+                  c.memory_.core_test_and_set(c.number_, span, address, c.now(o)), address);
     });
     c.add_far_bytes(o, static_cast<std::size_t>(span->level), 2);
     std::uint8_t& byte = *span->at(address);
@@ -148,7 +148,7 @@ struct Core::Hooks {
     const bool same_parity = ((first ^ second) & 4) == 0;
     if (same_parity && first / bank_bytes == second / bank_bytes && c.in_own_l1(first) &&
         c.in_own_l1(second)) {
-      c.add_stall(*o, Cause::sub_bank, cycles_of(c.parameters_.sub_bank_conflict));
+      c.add_stall(*o, Cause::sub_bank, cycles_of(c.parameters_.sub_bank_conflict), second);
     }
     return o + 1;
   }
@@ -199,16 +199,25 @@ void Core::run(const Turn& turn) {
         std::min(turn_.horizon, std::max(timer_.next_event(), kTimerMargin) - kTimerMargin);
   }
   try {
-    run_blocks();
+    trace_ ? run_blocks<true>() : run_blocks<false>();
   } catch (const Trap& trap) {
     handle(trap);
+  } catch (const FaultAt& fault) {
+    if (trace_) {  // what came before it in its block is worth seeing
+      cut_block(fault.operation->site, fault.operation);
+    }
+    throw;
   }
 }
 
+template <bool traced>
 void Core::run_blocks() {
   const Operation* operation = std::exchange(state_.retry, nullptr);
   if (operation == nullptr) {
     take_due_events();
+    if constexpr (traced) {
+      trace_->begin(state_.time);
+    }
     operation = current_->operations.get();
     state_.next_address = current_->end;
   } else if (events_.pending_event(state_.interrupt_mask) >= 0) {
@@ -221,19 +230,26 @@ void Core::run_blocks() {
     if (state_.retry != nullptr) {
       return;
     }
-    finish_block(*current_);
+    finish_block<traced>(*current_);
     if (state_.time >= turn_.horizon) {
       return;
+    }
+    if constexpr (traced) {
+      trace_->begin(state_.time);
     }
     operation = current_->operations.get();
     state_.next_address = current_->end;
   }
 }
 
+template <bool traced>
 void Core::finish_block(Block& block) {
   ++block.executions;
   Address next = state_.next_address;
   const bool taken = next != block.end;
+  if constexpr (traced) {
+    trace_->block(block, taken);
+  }
   if (taken) {
     ++block.taken;
     state_.time += block.cycles + block.taken_extra;
@@ -327,20 +343,28 @@ void Core::set_requests(std::uint32_t ivg_lines, bool wake_line, Cycles at) {
 void Core::wake(Cycles at) {
   settle(at);
   sleeping_ = false;
-  const Cycles latency = cycles_of(parameters_.idle_wake);
-  dynamic_[idle_packet_][static_cast<std::size_t>(Cause::idle)] += latency;
-  state_.time += latency;
+  pass(TraceRecord::Kind::sleep, idle_packet_, Cause::idle, cycles_of(parameters_.idle_wake));
 }
 
 void Core::settle(Cycles at) {
   if (sleeping_ && at > state_.time) {
-    dynamic_[idle_packet_][static_cast<std::size_t>(Cause::idle)] += at - state_.time;
-    state_.time = at;
+    pass(TraceRecord::Kind::sleep, idle_packet_, Cause::idle, at - state_.time);
   }
 }
 
-void Core::add_stall(const Operation& operation, Cause cause, Cycles cycles) {
+void Core::add_stall(const Operation& operation, Cause cause, Cycles cycles, Address address) {
   dynamic_[operation.site][static_cast<std::size_t>(cause)] += cycles;
+  state_.time += cycles;
+  if (trace_ && cycles > 0) {
+    trace_->stall(operation.site, {.cause = cause, .cycles = cycles, .address = address});
+  }
+}
+
+void Core::pass(TraceRecord::Kind kind, std::uint32_t packet, Cause cause, Cycles cycles) {
+  if (trace_ && cycles > 0) {
+    trace_->event(kind, packet, cause, state_.time, cycles);
+  }
+  dynamic_[packet][static_cast<std::size_t>(cause)] += cycles;
   state_.time += cycles;
 }
 
@@ -367,7 +391,7 @@ std::string Core::place(std::uint32_t packet) const {
 }
 
 void Core::fault(const Operation& operation, const std::string& what) const {
-  throw GuestFault(fmt::format("{} in {}: {}", name_of(id_), place(operation.site), what));
+  throw FaultAt(fmt::format("{} in {}: {}", name_of(id_), place(operation.site), what), operation);
 }
 
 }  // namespace finback::core

@@ -28,6 +28,7 @@
 #include <isa_sim/core/profile.hpp>
 #include <isa_sim/core/protection.hpp>
 #include <isa_sim/core/system_port.hpp>
+#include <isa_sim/core/trace.hpp>
 #include <memory_model/memory_system.hpp>
 
 namespace finback::core {
@@ -74,6 +75,15 @@ class Core {
   // A core that sleeps is charged its sleep until `at`; for reading the profile.
   void settle(Cycles at);
 
+  // From now on `sink` gets all that is issued, in order; call before the start. The last records
+  // come with end_trace().
+  void trace(TraceSink sink) { trace_ = std::make_unique<CoreTrace>(std::move(sink)); }
+  void end_trace() {
+    if (trace_) {
+      trace_->flush();
+    }
+  }
+
   [[nodiscard]] CoreProfile profile() const;
   void register_counters(CounterRegistry& registry) const;
   [[nodiscard]] isa::ExecutionState& state() { return state_; }
@@ -84,9 +94,11 @@ class Core {
   [[nodiscard]] Block* block_at(Address address, std::uint32_t state);
   [[nodiscard]] Block* successor(Block& block, Address next, bool refill);
   [[nodiscard]] bool loop_back(const Block& block);
+  template <bool traced>
   void finish_block(Block& block);
   void note_call_or_return(const Block& block, Address next);
   void wake(Cycles at);
+  template <bool traced>
   void run_blocks();
 
   // Blocks that end early: core_traps.cpp.
@@ -143,7 +155,10 @@ class Core {
                          const std::string& why);
   [[nodiscard]] std::string register_text(const isa::Operation& operation, std::int32_t reg);
 
-  void add_stall(const isa::Operation& operation, Cause cause, Cycles cycles);
+  // `address`: of the access that stalls.
+  void add_stall(const isa::Operation& operation, Cause cause, Cycles cycles, Address address = 0);
+  // Cycles between blocks.
+  void pass(TraceRecord::Kind kind, std::uint32_t packet, Cause cause, Cycles cycles);
   void add_far_bytes(const isa::Operation& operation, std::size_t where, int bytes) {
     far_bytes_[operation.site][where] += static_cast<Bytes>(bytes);
   }
@@ -210,6 +225,7 @@ class Core {
   std::uint32_t idle_packet_ = 0;
   Cycles started_at_ = 0;
   Turn turn_;
+  std::unique_ptr<CoreTrace> trace_;  // nullptr: nobody looks
 };
 
 }  // namespace finback::core

@@ -147,9 +147,8 @@ void Core::enter(int event, Address back) {
   }
   current_ = block_at(handler, PipelineStates::kRefilled);
   calls_.enter_interrupt(current_->function, back, state_.time);
-  const Cycles entry = cycles_of(parameters_.interrupt_entry);
-  dynamic_[current_->first_packet][static_cast<std::size_t>(Cause::interrupt_entry)] += entry;
-  state_.time += entry;
+  pass(TraceRecord::Kind::entry, current_->first_packet, Cause::interrupt_entry,
+       cycles_of(parameters_.interrupt_entry));
 }
 
 void Core::enter_exception(int cause, Address back) {

@@ -15,11 +15,11 @@ struct CoreParameters : ParameterGroup {
       this,
       {"core.branch.mispredicted_cycles", "CCLK", 9, 1, 100, 'V', "hardware.md 1.4 (SIM, OC)",
        "total cycles of a conditional branch that went against its BP bit"}};
-  IntegerParameter fetch_bytes{
-      this,
-      {"core.fetch.bytes", "bytes", 8, 8, 64, 'V', "hardware.md 1.1 (CA)",
-       "what one fetch brings, from a multiple of it; at least the longest packet, so that straight "
-       "code in L1 never waits"}};
+  IntegerParameter fetch_bytes{this,
+                               {"core.fetch.bytes", "bytes", 8, 8, 64, 'V', "hardware.md 1.1 (CA)",
+                                "what one fetch brings, from a multiple of it; at least the "
+                                "longest packet, so that straight "
+                                "code in L1 never waits"}};
   IntegerParameter split_target{
       this,
       {"core.fetch.split_target_cycles", "CCLK", 1, 0, 20, 'D', "hardware.md 1.1 (CA)",

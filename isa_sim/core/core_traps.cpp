@@ -73,6 +73,9 @@ void Core::handle_fetch(const Trap& trap) {
     --block.executions;
     --block.taken;
     state_.time -= block.cycles + block.taken_extra;
+    if (trace_) {
+      trace_->retract();
+    }
     undo_packet(last);
     cut_block(last, nullptr);
     enter_exception(kMisalignedFetch, block.last_packet_address);
@@ -104,13 +107,20 @@ std::uint32_t Core::cut_block(std::uint32_t end_packet, const Operation* unfinis
     }
   }
   const std::uint32_t packets = end_packet - current_->first_packet;
-  if (packets == 0) {
-    return current_->entry_state;
+  std::uint32_t state = current_->entry_state;
+  if (packets > 0) {
+    Block* part = part_of(*current_, packets);
+    ++part->executions;
+    state_.time += part->cycles;
+    state = part->exit_state;
+    if (trace_) {
+      trace_->part(*part);
+    }
   }
-  Block* part = part_of(*current_, packets);
-  ++part->executions;
-  state_.time += part->cycles;
-  return part->exit_state;
+  if (trace_ && unfinished != nullptr) {
+    trace_->undone(unfinished->site);
+  }
+  return state;
 }
 
 Block* Core::part_of(const Block& block, std::uint32_t packets) {

@@ -57,10 +57,11 @@ Cycles Pipeline::issue_cycles(const ir::PlacedInstruction& instruction) const {
 PacketCost Pipeline::issue(const ir::PlacedPacket& packet, PipelineState& state) const {
   PacketCost cost;
   cost.issue = 1;
-  const auto need = [&](Cycles wait, Cause cause) {
+  const auto need = [&](Cycles wait, Cause cause, int reg) {
     if (wait > cost.stall) {
       cost.stall = wait;
       cost.stall_cause = cause;
+      cost.stall_register = reg;
     }
   };
   for (std::size_t slot = 0; slot < packet.count; ++slot) {
@@ -73,17 +74,17 @@ PacketCost Pipeline::issue(const ir::PlacedPacket& packet, PipelineState& state)
           return;
         }
         if (role.address_stage) {
-          need(state.wait(reg).address_stage, Cause::hazard_address);
+          need(state.wait(reg).address_stage, Cause::hazard_address, reg);
         } else if (info.needs == isa::Needs::ex1) {
-          need(state.wait(reg).ex1, Cause::hazard_ex1);
+          need(state.wait(reg).ex1, Cause::hazard_ex1, reg);
         }
       });
     });
     if ((info.implicit & isa::kReadsSp) != 0) {
-      need(state.wait(isa::SP).address_stage, Cause::hazard_address);
+      need(state.wait(isa::SP).address_stage, Cause::hazard_address, isa::SP);
     }
     if ((info.implicit & isa::kReadsFp) != 0) {
-      need(state.wait(isa::FP).address_stage, Cause::hazard_address);
+      need(state.wait(isa::FP).address_stage, Cause::hazard_address, isa::FP);
     }
   }
   state.advance(cost.stall + cost.issue);

@@ -1,11 +1,11 @@
 // The static timing of a ten-stage, in-order, interlocked pipeline: what a packet costs, given what
 // went before it.
 //
-// Models: one packet a cycle, instructions that hold the pipeline, the interlocks of hardware.md 1.5
-// (load or move to a pointer, ALU result needed in EX1), and the alignment buffer: full in straight
-// code and in loops, empty after a change of flow. Memory, branches and fetch from L2 and L3 are
-// costed elsewhere. Does not model: the store buffer's forwarding, stalls on RETS and on loop
-// registers read back.
+// Models: one packet a cycle, instructions that hold the pipeline, the interlocks of
+// hardware.md 1.5 (load or move to a pointer, ALU result needed in EX1), and the alignment buffer:
+// full in straight code and in loops, empty after a change of flow. Memory, branches and fetch from
+// L2 and L3 are costed elsewhere. Does not model: the store buffer's forwarding, stalls on RETS and
+// on loop registers read back.
 #pragma once
 
 #include <algorithm>
@@ -55,6 +55,7 @@ struct PacketCost {
   Cycles issue = 1;
   Cycles stall = 0;
   Cause stall_cause = Cause::hazard_address;
+  int stall_register = -1;  // that is waited for
 };
 
 class Pipeline {

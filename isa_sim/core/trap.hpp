@@ -2,6 +2,9 @@
 // happen.
 #pragma once
 
+#include <string>
+
+#include <common/error.hpp>
 #include <isa_sim/core/core.hpp>
 
 namespace finback::core {
@@ -17,6 +20,12 @@ struct Core::Trap {
   const isa::Operation* operation = nullptr;
   int cause = 0;  // of an exception: EXCAUSE
   Address address = 0;
+};
+
+// The program did what the machine cannot; `operation` was not completed.
+struct FaultAt : GuestFault {
+  FaultAt(const std::string& what, const isa::Operation& at) : GuestFault(what), operation(&at) {}
+  const isa::Operation* operation;
 };
 
 }  // namespace finback::core

@@ -164,6 +164,12 @@ class Machine::Implementation final : public core::SystemPort {
     return *cores_[static_cast<std::size_t>(number)];
   }
 
+  void end_trace() {
+    for (const auto& core : cores_) {
+      core->end_trace();
+    }
+  }
+
   [[nodiscard]] std::uint32_t stack_used(CoreId core) const {
     const ir::PlacedObject* stack = image_.stack_of(static_cast<ir::Owner>(core));
     if (stack == nullptr) {
@@ -253,7 +259,19 @@ void Machine::serve_programs(ProgramHostOptions options) {
 }
 HostPort& Machine::host() { return implementation_->host(); }
 memory::MemorySystem& Machine::memory() { return implementation_->memory(); }
-StopInfo Machine::run(const RunLimits& limits) { return implementation_->run(limits); }
+void Machine::trace(CoreId core, core::TraceSink sink) {
+  implementation_->core_at(static_cast<int>(core)).trace(std::move(sink));
+}
+StopInfo Machine::run(const RunLimits& limits) {
+  try {
+    const StopInfo stop = implementation_->run(limits);
+    implementation_->end_trace();
+    return stop;
+  } catch (const GuestFault&) {
+    implementation_->end_trace();
+    throw;
+  }
+}
 const CounterRegistry& Machine::counters() const { return implementation_->counters(); }
 core::CoreProfile Machine::profile(CoreId core) const {
   return implementation_->core_at(static_cast<int>(core)).profile();

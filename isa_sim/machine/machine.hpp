@@ -13,6 +13,7 @@
 #include <common/counters.hpp>
 #include <common/units.hpp>
 #include <isa_sim/core/profile.hpp>
+#include <isa_sim/core/trace.hpp>
 #include <isa_sim/ir/image.hpp>
 
 namespace finback::isa {
@@ -71,6 +72,10 @@ class Machine {
   // the host port's console otherwise).
   void serve_programs(ProgramHostOptions options);
   [[nodiscard]] memory::MemorySystem& memory();
+
+  // `sink` gets all that `core` issues, in order, as long as this machine runs. Before the run;
+  // costs a run without it nothing.
+  void trace(CoreId core, core::TraceSink sink);
 
   // Runs until something of `Stop` happens; may be called again after cycle_limit. Throws
   // GuestFault, with core, function, source line and address, when the program does what the

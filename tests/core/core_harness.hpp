@@ -37,12 +37,18 @@ class CoreHarness : public SystemPort {
   // Runs to IDLE or the program's end; returns the cycles it took.
   Cycles run(const Core::Start& how = {EventController::kSupervisor, kCyclesRun}) {
     core_ = std::make_unique<Core>(CoreId::a, image_.cores[0], parameters_, 1, *memory_, *this);
+    if (sink_) {
+      core_->trace(sink_);
+    }
     core_->start(0, how);
     while (!core_->sleeping()) {
       core_->run({});
     }
+    core_->end_trace();
     return core_->profile().cycles;
   }
+  // The next run is traced.
+  void trace(TraceSink sink) { sink_ = std::move(sink); }
   Cycles evaluate(std::uint64_t max_packets = 1'000'000) {
     evaluator_ = std::make_unique<Evaluator>(0, image_.cores[0], parameters_, *memory_);
     if (!evaluator_->run(max_packets)) {
@@ -74,6 +80,7 @@ class CoreHarness : public SystemPort {
   [[nodiscard]] const std::string& why() const { return why_; }
 
  private:
+  TraceSink sink_;
   std::string printed_;
   std::optional<std::uint32_t> exit_status_;
   std::string why_;

@@ -125,7 +125,8 @@ Cycles cycles_of_target(int offset, const std::string& jump, const std::string& 
   const auto text = [&](const std::string& there) {
     return ".text\n.global _start\n.type _start, @function\n.align 8\n_start: R0 = 0 (X); CC = R0 "
            "== 0; " +
-           jump + "\nNOP;\n.align 8\n" + gap + ".Lx: " + there + "\nIDLE; RTS;\n.size _start, "
+           jump + "\nNOP;\n.align 8\n" + gap + ".Lx: " + there +
+           "\nIDLE; RTS;\n.size _start, "
            ".-_start\n";
   };
   CoreHarness with(text(packet));
@@ -137,7 +138,7 @@ Cycles cycles_of_target(int offset, const std::string& jump, const std::string& 
 
 TEST(Fetch, APacketThatIsLedToWaitsOnlyForASecondFetch) {
   const std::string packet = "R1 = R0 + R0 (NS) || NOP || NOP;";  // 8 bytes
-  const std::string wide = "R1 = 1000 (X);";                     // 4 bytes
+  const std::string wide = "R1 = 1000 (X);";                      // 4 bytes
   for (const char* jump : {"JUMP.S .Lx;", "IF CC JUMP .Lx (BP);", "IF CC JUMP .Lx;"}) {
     for (const int offset : {0, 2, 4, 6}) {
       EXPECT_EQ(cycles_of_target(offset, jump, packet), offset == 0 ? 1U : 2U) << jump << offset;

@@ -1,8 +1,10 @@
 // The firmware's drivers and runtime, compiled by finback-cc, on the simulated chip.
+#include <array>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
 
+#include "../core/trace_tally.hpp"
 #include <isa_sim/ir/firmware.hpp>
 #include <isa_sim/ir/linker.hpp>
 #include <isa_sim/machine/host_port.hpp>
@@ -54,6 +56,29 @@ std::vector<Latencies> latencies() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Latencies, Drivers, testing::ValuesIn(latencies()));
+
+// L2, L3, DMA, interrupts and sleep on both cores: traced, they are what they are otherwise.
+TEST(Trace, OfTwoCoresIsTheRun) {
+  const machine::MachineDescription description;
+  const ir::Firmware firmware = ir::load_firmware(FINBACK_CHECKS "/firmware.toml");
+  const ir::Image image = ir::link(firmware.units, firmware.placement, description.map);
+  machine::Machine plain(description, image);
+  machine::Machine traced(description, image);
+  std::array<core::TraceTally, kCoreCount> tallies;
+  for (const CoreId core : {CoreId::a, CoreId::b}) {
+    traced.trace(core, tallies[static_cast<std::size_t>(core)].sink());
+  }
+  const machine::StopInfo expected = plain.run();
+  const machine::StopInfo stop = traced.run();
+  EXPECT_EQ(stop.time, expected.time);
+  EXPECT_EQ(stop.exit_status, 0U);
+  for (const CoreId core : {CoreId::a, CoreId::b}) {
+    const core::CoreProfile profile = traced.profile(core);
+    EXPECT_EQ(profile.cycles, plain.profile(core).cycles);
+    EXPECT_EQ(profile.causes, plain.profile(core).causes);
+    tallies[static_cast<std::size_t>(core)].check(profile);
+  }
+}
 
 }  // namespace
 }  // namespace finback
