@@ -33,8 +33,12 @@ struct Core::Hooks {
       return c.no_memory(o, c.memory_.core_fault(c.number_, address, bytes, write));
     }
     if (MemoryWindow* window = memory::MemorySystem::window(c.number_, span)) {
-      if (!c.protection_.guards_data()) {
+      if (!c.protection_.guards_data() && !c.store_buffer_.stalls()) {
         o.window = window;
+      }
+      if (c.store_buffer_.stalls()) {
+        c.add_stall(o, Cause::store_buffer, c.store_buffer_.access(address, bytes, write, c.now(o)),
+                    address);
       }
       ++(write ? window->writes : window->reads)[static_cast<std::size_t>(bytes / 2)];
       return span->at(address);
@@ -165,6 +169,7 @@ Core::Core(CoreId id, const ir::CoreImage& image, const CoreParameters& paramete
       port_(port),
       hooks_{Hooks::slow_access, Hooks::device_read, Hooks::device_write, Hooks::test_and_set,
              Hooks::system},
+      store_buffer_(parameters),
       calls_(image.functions.size()),
       builder_(image, parameters, memory, Hooks::packet_conflict),
       dynamic_(image.packets.size()),

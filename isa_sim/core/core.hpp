@@ -1,10 +1,10 @@
 // One core: decodes code into blocks, runs them, and keeps its time.
 //
 // Models: the instruction table's meanings; issue, interlocks, branches and hardware loops
-// (pipeline.hpp); stalls on L2, L3, device registers and instruction fetch; interrupts, taken
-// between blocks, and exceptions, taken between packets; user mode and page protection; IDLE;
-// single steps. Does not model: caches, the store buffer within L1, speculation. Source:
-// hardware.md 1, 4; Programming Reference, chapters 3 and 4; the way to speed:
+// (pipeline.hpp); stalls on L2, L3, device registers, the store buffer and fetch; interrupts,
+// taken between blocks, and exceptions, taken between packets; user mode and page protection; IDLE;
+// single steps. Does not model: caches, speculation, DMA that meets the core in an L1 sub-bank.
+// Source: hardware.md 1, 4; Programming Reference, chapters 3 and 4; the way to speed:
 // docs/architecture.md.
 //
 // The core runs ahead on what is its own. What others can see or change (L2, L3, devices) it
@@ -27,6 +27,7 @@
 #include <isa_sim/core/exception_cause.hpp>
 #include <isa_sim/core/profile.hpp>
 #include <isa_sim/core/protection.hpp>
+#include <isa_sim/core/store_buffer.hpp>
 #include <isa_sim/core/system_port.hpp>
 #include <isa_sim/core/trace.hpp>
 #include <memory_model/memory_system.hpp>
@@ -194,6 +195,7 @@ class Core {
   EventController events_;
   CoreTimer timer_;
   Protection protection_;
+  StoreBuffer store_buffer_;
   CallProfile calls_;
   BlockBuilder builder_;
 

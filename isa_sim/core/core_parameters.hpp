@@ -76,6 +76,15 @@ struct CoreParameters : ParameterGroup {
   IntegerParameter sub_bank_bytes{this,
                                   {"core.sub_bank.bytes", "bytes", 4096, 8, 65536, 'V',
                                    "hardware.md 2.2 (PT slides 35-36)", "size of an L1 sub-bank"}};
+  IntegerParameter store_buffer_stall{
+      this,
+      {"core.store_buffer.stall_cycles", "CCLK", 0, 0, 20, 'M', "hardware.md 1.5",
+       "stall of a load from L1 of bytes that are still in the store buffer; 0: they are "
+       "forwarded"}};
+  IntegerParameter store_buffer_stay{
+      this,
+      {"core.store_buffer.stay_cycles", "CCLK", 5, 1, 20, 'M', "hardware.md 1.5",
+       "how long a store to L1 stays in the store buffer; matters where its stall is not 0"}};
   IntegerParameter interrupt_entry{
       this,
       {"core.interrupt.entry_cycles", "CCLK", 10, 1, 1000, 'E', "hardware.md 4",

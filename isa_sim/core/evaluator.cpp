@@ -36,6 +36,7 @@ struct Evaluator::Hooks {
     if (span->level != memory::Level::l1) {
       throw GuestFault("the plain evaluator knows only a core's own L1");
     }
+    e.stall_ += e.store_buffer_.access(address, bytes, write, state.time + e.stall_);
     return span->at(address);
   }
   static bool device_read(ExecutionState&, const Operation&, Address, int, std::uint32_t&) {
@@ -63,6 +64,7 @@ Evaluator::Evaluator(int core, const ir::CoreImage& image, const CoreParameters&
       image_(image),
       parameters_(parameters),
       memory_(memory),
+      store_buffer_(parameters),
       hooks_{Hooks::access, Hooks::device_read, Hooks::device_write, Hooks::test_and_set,
              Hooks::system} {
   state_.hooks = &hooks_;
@@ -103,7 +105,7 @@ void Evaluator::execute(const ir::PlacedPacket& packet) {
   for (std::size_t slot = 0; slot < packet.count; ++slot) {
     note_results(packet.slots[slot], end);
   }
-  charge_sub_bank(packet, end);
+  stall_ = sub_bank_stall(packet);
 
   // Every slot runs on the state before the packet, loads before stores; what it changes is merged.
   const Address fall_through = packet.address + packet.length;
@@ -129,6 +131,13 @@ void Evaluator::execute(const ir::PlacedPacket& packet) {
     if (copy.next_address != fall_through) {
       state_.next_address = copy.next_address;
     }
+  }
+
+  // The pipeline stands still: results on their way come no nearer.
+  end += stall_;
+  for (std::size_t reg = 0; reg < address_ready_.size(); ++reg) {
+    address_ready_[reg] += stall_;
+    ex1_ready_[reg] += stall_;
   }
 
   const isa::Flow flow = info_of(packet.slots[0]).flow;
@@ -238,7 +247,7 @@ void Evaluator::note_results(const ir::PlacedInstruction& instruction, Cycles do
   }
 }
 
-void Evaluator::charge_sub_bank(const ir::PlacedPacket& packet, Cycles& end) {
+Cycles Evaluator::sub_bank_stall(const ir::PlacedPacket& packet) const {
   std::vector<Address> accesses;
   for (std::size_t slot = 0; packet.count > 1 && slot < packet.count; ++slot) {
     if (const auto access = access_address(packet.slots[slot])) {
@@ -247,16 +256,9 @@ void Evaluator::charge_sub_bank(const ir::PlacedPacket& packet, Cycles& end) {
     }
   }
   const Address bank = static_cast<Address>(std::int64_t{parameters_.sub_bank_bytes});
-  if (accesses.size() == 2 && accesses[0] / bank == accesses[1] / bank &&
-      ((accesses[0] ^ accesses[1]) & 4) == 0) {
-    // The pipeline stands still: results on their way come no nearer.
-    const Cycles stall = cycles_of(parameters_.sub_bank_conflict);
-    end += stall;
-    for (std::size_t reg = 0; reg < address_ready_.size(); ++reg) {
-      address_ready_[reg] += stall;
-      ex1_ready_[reg] += stall;
-    }
-  }
+  const bool conflict = accesses.size() == 2 && accesses[0] / bank == accesses[1] / bank &&
+                        ((accesses[0] ^ accesses[1]) & 4) == 0;
+  return conflict ? cycles_of(parameters_.sub_bank_conflict) : 0;
 }
 
 }  // namespace finback::core

@@ -9,6 +9,7 @@
 #include <array>
 
 #include <isa_sim/core/core_parameters.hpp>
+#include <isa_sim/core/store_buffer.hpp>
 #include <isa_sim/ir/image.hpp>
 #include <isa_sim/isa/instruction.hpp>
 #include <memory_model/memory_system.hpp>
@@ -36,19 +37,21 @@ class Evaluator {
   void merge(const isa::ExecutionState& before, const isa::ExecutionState& after);
   void stall_for_operands(const ir::PlacedInstruction& instruction, Cycles& issue_at) const;
   void note_results(const ir::PlacedInstruction& instruction, Cycles done);
-  void charge_sub_bank(const ir::PlacedPacket& packet, Cycles& end);
+  [[nodiscard]] Cycles sub_bank_stall(const ir::PlacedPacket& packet) const;
   [[nodiscard]] const ir::PlacedPacket& packet_at(Address address) const;
 
   int core_;
   const ir::CoreImage& image_;
   const CoreParameters& parameters_;
   memory::MemorySystem& memory_;
+  StoreBuffer store_buffer_;
   isa::EngineHooks hooks_;
   isa::ExecutionState state_;
   std::array<Cycles, isa::kRegisterCount>
       address_ready_{};  // when a register can be used in stage AC, in EX1
   std::array<Cycles, isa::kRegisterCount> ex1_ready_{};
   Cycles next_issue_ = 0;
+  Cycles stall_ = 0;  // of the packet that executes, by its accesses
   std::uint64_t packets_ = 0;
   bool refilled_ = false;  // the packet before was left by a change of flow
   bool idle_ = false;

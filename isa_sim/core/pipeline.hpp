@@ -4,8 +4,8 @@
 // Models: one packet a cycle, instructions that hold the pipeline, the interlocks of
 // hardware.md 1.5 (load or move to a pointer, ALU result needed in EX1), and the alignment buffer:
 // full in straight code and in loops, empty after a change of flow. Memory, branches and fetch from
-// L2 and L3 are costed elsewhere. Does not model: the store buffer's forwarding, stalls on RETS and
-// on loop registers read back.
+// L2 and L3 are costed elsewhere. Does not model: stalls on RETS and on loop registers
+// read back.
 #pragma once
 
 #include <algorithm>

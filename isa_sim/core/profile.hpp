@@ -22,8 +22,9 @@ enum class Cause : std::uint8_t {
   branch_mispredict,
   hazard_address,  // load or move into a pointer, then its use as an address
   hazard_ex1,      // ALU result, then an operand needed in EX1
-  fetch,           // instructions in L2 or L3
+  fetch,           // instructions in L2 or L3; two fetches for one packet behind a change of flow
   sub_bank,        // two accesses of a packet in one L1 sub-bank
+  store_buffer,    // a load of what was just stored to L1
   l2_read,
   l2_write,
   l3_read,
@@ -32,11 +33,12 @@ enum class Cause : std::uint8_t {
   interrupt_entry,
   idle,  // IDLE: asleep
 };
-inline constexpr int kCauseCount = 15;
+inline constexpr int kCauseCount = 16;
 inline constexpr std::array<std::string_view, kCauseCount> kCauseNames = {
-    "issue",      "multi_cycle", "branch_taken", "branch_mispredict", "hazard_address",
-    "hazard_ex1", "fetch",       "sub_bank",     "l2_read",           "l2_write",
-    "l3_read",    "l3_write",    "device",       "interrupt_entry",   "idle"};
+    "issue",          "multi_cycle", "branch_taken",    "branch_mispredict",
+    "hazard_address", "hazard_ex1",  "fetch",           "sub_bank",
+    "store_buffer",   "l2_read",     "l2_write",        "l3_read",
+    "l3_write",       "device",      "interrupt_entry", "idle"};
 
 using CauseCycles = std::array<Cycles, kCauseCount>;
 

@@ -61,6 +61,15 @@ class CoreHarness : public SystemPort {
   [[nodiscard]] const Evaluator& evaluator() const { return *evaluator_; }
   [[nodiscard]] std::uint32_t reg(isa::Register reg) { return core_->state().reg[reg]; }
   [[nodiscard]] CoreParameters& parameters() { return parameters_; }
+  void set(std::string_view name, double value) {
+    for (ParameterBase* parameter : parameters_.parameters()) {
+      if (parameter->declaration().name == name) {
+        parameter->set(value);
+        return;
+      }
+    }
+    throw std::runtime_error("no such parameter");
+  }
   [[nodiscard]] memory::MemorySystem& memory() { return *memory_; }
   [[nodiscard]] const ir::Image& image() const { return image_; }
 
