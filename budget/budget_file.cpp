@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include <budget/budget_file.hpp>
+#include <common/toml_reader.hpp>
 
 namespace finback::budget {
 

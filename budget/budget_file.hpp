@@ -9,7 +9,11 @@
 #include <vector>
 
 #include <budget/demand.hpp>
-#include <common/toml_reader.hpp>
+#include <common/error.hpp>
+
+namespace finback {
+class TomlReader;
+}
 
 namespace finback::budget {
 

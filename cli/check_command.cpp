@@ -16,7 +16,7 @@
 #include <common/pattern.hpp>
 #include <report/json_reader.hpp>
 #include <report/json_writer.hpp>
-#include <runner/run_request.hpp>
+#include <runner/run_table.hpp>
 
 namespace finback::cli {
 

@@ -25,12 +25,24 @@ endfunction()
 
 # finback_test(NAME sources... [LIBRARIES libs...] [LABELS labels...]): a GoogleTest program; each of
 # its tests is one ctest test.
+#
+# Tests are compiled once and run for seconds: what they test is optimised, they need not be. Of
+# compiling one, most is reading GoogleTest's headers: they are compiled once for all.
 function(finback_test name)
   cmake_parse_arguments(ARG "" "" "LIBRARIES;LABELS" ${ARGN})
+  if(NOT TARGET finback_test_headers)
+    file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/test_headers.cpp CONTENT "")
+    add_library(finback_test_headers OBJECT ${CMAKE_BINARY_DIR}/test_headers.cpp)
+    target_link_libraries(finback_test_headers PRIVATE finback_settings GTest::gtest_main GTest::gmock)
+    target_compile_options(finback_test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_precompile_headers(finback_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
+  endif()
   add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} finback_settings GTest::gtest_main GTest::gmock)
-  # Tests are compiled once and run for seconds: what they test is optimised, they need not be.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if(NOT ARG_UNPARSED_ARGUMENTS MATCHES "\\.c(;|$)")  # they are for C++ alone
+    target_precompile_headers(${name} REUSE_FROM finback_test_headers)
+  endif()
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${ARG_LABELS}")
 endfunction()

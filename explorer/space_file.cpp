@@ -12,6 +12,7 @@
 #include <explorer/space.hpp>
 #include <memory_model/memory_system.hpp>
 #include <power_model/power_model.hpp>
+#include <runner/run_table.hpp>
 
 namespace finback::explorer {
 

@@ -1,5 +1,5 @@
-// What a person asks to be run, by names: the options of `finback run` and the [run] table of other
-// files. Turns them into loaded inputs.
+// What a person asks to be run, by names: the options of `finback run`. Turns them into loaded
+// inputs.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <common/error.hpp>
-#include <common/toml_reader.hpp>
 #include <runner/run_firmware.hpp>
 
 namespace finback::runner {
@@ -37,15 +36,5 @@ inline constexpr std::uint32_t kMostFrames = 10000;
 
 // Loads everything that `request` names. Throws InputError.
 [[nodiscard]] RunInputs load_inputs(const RunRequest& request);
-
-// A firmware that a file in `folder` names, as find_firmware takes it: what looks like a path is
-// one, relative to the folder.
-[[nodiscard]] std::string firmware_named_in(const std::filesystem::path& folder,
-                                            const std::string& name);
-
-// Reads the keys of a [run] table, which are the options of `finback run`: firmware, scene, left,
-// right, frames, machine, placement, power, place, set, max_seconds. Paths are relative to the
-// file. Throws InputError naming the line.
-[[nodiscard]] RunRequest read_run_request(const TomlReader& reader, const toml::table& table);
 
 }  // namespace finback::runner

@@ -35,9 +35,12 @@ ctest --preset asan-ubsan --parallel "$jobs" --no-tests=error
 
 step "clang-tidy"
 # Not the tests: what is wrong with them shows when they run, and GoogleTest's headers take minutes.
+# g++'s precompiled headers are not clang's: without them, each file must include what it needs.
+mkdir -p build/tidy
+sed 's/ -Winvalid-pch -include [^ ]*//' build/release/compile_commands.json > build/tidy/compile_commands.json
 mapfile -t units < <(git ls-files '*.cpp' ':!tests')
 printf '%s\0' "${units[@]}" |
-  xargs --null --max-procs="$jobs" --max-args=4 clang-tidy --quiet -p build/release
+  xargs --null --max-procs="$jobs" --max-args=4 clang-tidy --quiet -p build/tidy
 echo "clang-tidy: ${#units[@]} files are clean"
 
 step "all passed"

@@ -64,7 +64,7 @@ std::string Core::register_text(const Operation& operation, std::int32_t reg) {
 }
 
 void Core::halt(const Operation& operation, std::uint32_t status, const std::string& why) {
-  port_.halt(number_, status, why, now(operation));
+  port_.halt(number_, status, why, now(operation) + 1);  // its own cycle, too
   throw Trap{.kind = Trap::Kind::halted, .operation = &operation};
 }
 

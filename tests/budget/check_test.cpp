@@ -7,6 +7,7 @@
 #include "handmade.hpp"
 #include <budget/check.hpp>
 #include <budget/verdict.hpp>
+#include <common/toml_reader.hpp>
 
 namespace finback::budget {
 namespace {

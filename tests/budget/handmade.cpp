@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <common/toml_reader.hpp>
+
 namespace finback::budget {
 
 namespace {
