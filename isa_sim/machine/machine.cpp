@@ -264,7 +264,7 @@ void Machine::trace(CoreId core, core::TraceSink sink) {
 }
 StopInfo Machine::run(const RunLimits& limits) {
   try {
-    const StopInfo stop = implementation_->run(limits);
+    StopInfo stop = implementation_->run(limits);
     implementation_->end_trace();
     return stop;
   } catch (const GuestFault&) {
