@@ -34,13 +34,13 @@ function(finback_test name)
     file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/test_headers.cpp CONTENT "")
     add_library(finback_test_headers OBJECT ${CMAKE_BINARY_DIR}/test_headers.cpp)
     target_link_libraries(finback_test_headers PRIVATE finback_settings GTest::gtest_main GTest::gmock)
-    target_compile_options(finback_test_headers PRIVATE $<$<CONFIG:Release>:-O1> -Wno-array-bounds)
+    target_compile_options(finback_test_headers PRIVATE $<$<CONFIG:Release>:-O1> -Wno-array-bounds -Wno-stringop-overflow)
     target_precompile_headers(finback_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
   endif()
   add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} finback_settings GTest::gtest_main GTest::gmock)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>
-                         -Wno-array-bounds)  # false alarms, as above, when headers are precompiled
+                         -Wno-array-bounds -Wno-stringop-overflow)  # false alarms, as above, when headers are precompiled
   if(NOT ARG_UNPARSED_ARGUMENTS MATCHES "\\.c(;|$)")  # they are for C++ alone
     target_precompile_headers(${name} REUSE_FROM finback_test_headers)
   endif()
