@@ -4,6 +4,9 @@
 #include <llvm/CodeGen/Passes.h>
 #include <llvm/CodeGen/TargetPassConfig.h>
 #include <llvm/IR/Constants.h>
+#include <llvm/IR/IRBuilder.h>
+#include <llvm/IR/InstIterator.h>
+#include <llvm/IR/IntrinsicInst.h>
 #include <llvm/IR/LegacyPassManager.h>
 #include <llvm/MC/MCInstPrinter.h>
 #include <llvm/Passes/PassBuilder.h>
@@ -55,6 +58,38 @@ void name_private_data(Module& module) {
         c = '_';
     global.setName(StringRef(name).ltrim('_'));
     global.setLinkage(GlobalValue::InternalLinkage);
+  }
+}
+
+/// The stack is aligned to words. What wants more gets room to spare, and the first address in it
+/// that will do.
+void align_locals(Module& module) {
+  const Align kStack(4);
+  SmallVector<AllocaInst*, 8> locals;
+  for (Function& function : module)
+    for (Instruction& inst : instructions(function))
+      if (auto* local = dyn_cast<AllocaInst>(&inst); local != nullptr && local->getAlign() > kStack)
+        locals.push_back(local);
+  for (AllocaInst* local : locals) {
+    const Align align = local->getAlign();
+    const std::optional<TypeSize> size = local->getAllocationSize(module.getDataLayout());
+    if (!size)
+      report_fatal_error("a local array of variable size cannot be aligned to more than 4 bytes");
+    IRBuilder<> builder(local->getNextNode());
+    auto* bytes = ArrayType::get(builder.getInt8Ty(), size->getFixedValue() + align.value() - 4);
+    AllocaInst* room = builder.CreateAlloca(bytes, nullptr, local->getName());
+    room->setAlignment(kStack);
+    Value* from = builder.CreatePtrAdd(room, builder.getInt32(uint32_t(align.value() - 4)));
+    Value* address = builder.CreateAnd(builder.CreatePtrToInt(from, builder.getInt32Ty()),
+                                       builder.getInt32(~uint32_t(align.value() - 1)));
+    Value* aligned = builder.CreateIntToPtr(address, builder.getPtrTy());
+    local->replaceUsesWithIf(aligned, [](const Use& use) {
+      const auto* user = dyn_cast<IntrinsicInst>(use.getUser());
+      return user == nullptr || !user->isLifetimeStartOrEnd();
+    });
+    for (User* user : make_early_inc_range(local->users()))
+      cast<Instruction>(user)->eraseFromParent();
+    local->eraseFromParent();
   }
 }
 
@@ -113,6 +148,7 @@ void prepare(Module& module) { mark_handlers(module); }
 std::string generate(Module& module, const Options& options) {
   std::unique_ptr<BfinTargetMachine> machine = make_machine(module);
   run_middle_end(module, *machine, options.level);
+  align_locals(module);
   name_private_data(module);  // the middle end makes tables of its own
   std::string text;
   raw_string_ostream out(text);

@@ -15,8 +15,20 @@ using namespace llvm;
 
 bool has_vector(const Type* type) { return type->isVectorTy(); }
 
-bool is_wide_integer(const Type* type) {
-  return type->isIntegerTy() && type->getIntegerBitWidth() > 64;
+/// Bit-fields make wide integers, which fall into words; products and quotients do not.
+bool computes_wide(const Instruction& inst) {
+  if (!inst.getType()->isIntegerTy() || inst.getType()->getIntegerBitWidth() <= 64)
+    return false;
+  switch (inst.getOpcode()) {
+    case Instruction::Mul:
+    case Instruction::SDiv:
+    case Instruction::UDiv:
+    case Instruction::SRem:
+    case Instruction::URem:
+      return true;
+    default:
+      return inst.isShift() && !isa<ConstantInt>(inst.getOperand(1));
+  }
 }
 
 /// Floating-point values may be copied about; computing with them needs a library that is not
@@ -33,13 +45,25 @@ bool computes_in_float(const Instruction& inst) {
                 [](const Use& use) { return use->getType()->isFloatingPointTy(); });
 }
 
+std::string problem_of_assembly(const CallBase& call) {
+  if (isa<CallBrInst>(call))
+    return "asm goto is not supported";
+  const DataLayout& layout = call.getModule()->getDataLayout();
+  const auto too_big = [&](const Type* type) {
+    return type->isSized() && !type->isVoidTy() &&
+           layout.getTypeSizeInBits(const_cast<Type*>(type)) > 32;
+  };
+  const auto* results = dyn_cast<StructType>(call.getType());
+  const bool big_result =
+      results == nullptr ? too_big(call.getType()) : any_of(results->elements(), too_big);
+  if (big_result || any_of(call.args(), [&](const Use& use) { return too_big(use->getType()); }))
+    return "an operand of inline assembly has at most 32 bits";
+  return "";
+}
+
 std::string problem_of_call(const CallBase& call) {
-  if (call.isInlineAsm()) {
-    const auto* text = cast<InlineAsm>(call.getCalledOperand());
-    if (!text->getAsmString().empty())
-      return "inline assembly is not supported; use the functions of <finback/blackfin.h>";
-    return call.arg_empty() ? "" : "inline assembly with operands is not supported";
-  }
+  if (call.isInlineAsm())
+    return problem_of_assembly(call);
   const Function* callee = call.getCalledFunction();
   if (callee == nullptr || !callee->getName().starts_with("__builtin_bfin_"))
     return "";
@@ -60,14 +84,11 @@ std::string problem_of_call(const CallBase& call) {
 std::string problem_of(const Instruction& inst) {
   if (isa<AtomicRMWInst>(inst) || isa<AtomicCmpXchgInst>(inst))
     return "atomic read-modify-write is not supported; use __builtin_bfin_testset or cli/sti";
-  if (isa<IndirectBrInst>(inst))
-    return "computed goto is not supported";
   if (has_vector(inst.getType()))
     return "vector types are not supported";
-  if (is_wide_integer(inst.getType()))
-    return "integers wider than 64 bits are not supported";
-  if (const auto* local = dyn_cast<AllocaInst>(&inst); local != nullptr && local->getAlign() > 4)
-    return "a local variable cannot be aligned to more than 4 bytes; make it static";
+  if (computes_wide(inst))
+    return "products, quotients and variable shifts of integers wider than 64 bits are not "
+           "supported";
   if (computes_in_float(inst))
     return "floating-point arithmetic is not supported; use fixed point";
   if (const auto* call = dyn_cast<CallBase>(&inst))

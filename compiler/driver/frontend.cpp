@@ -1,59 +1,96 @@
 #include "frontend.hpp"
 
+#include <fstream>
 #include <llvm/Bitcode/BitcodeReader.h>
 #include <llvm/Support/FileSystem.h>
-#include <llvm/Support/FileUtilities.h>
 #include <llvm/Support/MemoryBuffer.h>
 #include <llvm/Support/Program.h>
 #include <stdexcept>
 
 #include "../target/BfinTargetMachine.hpp"
+#include "assembly.hpp"
 
 namespace finback::compiler {
 namespace {
 
-std::vector<std::string> clang_command(const std::string& clang, const std::string& input,
-                                       const Options& options, const std::string& include_dir,
-                                       const std::string& output) {
-  std::vector<std::string> command = {clang,
-                                      "-target",
-                                      "csky",
-                                      "-std=gnu11",
-                                      "-ffreestanding",
-                                      "-fno-builtin",
-                                      "-nostdlibinc",
-                                      "-Ucsky",
-                                      "-U__csky__",
-                                      "-U__CSKY__",
-                                      "-U__ckcore__",
-                                      "-U__CKCORE__",
-                                      "-U__CSKYABI__",
-                                      "-U__cskyabi__",
-                                      "-U__CSKYLE__",
-                                      "-U__cskyle__",
-                                      "-D__bfin__=1",
-                                      "-D__BFIN__=1",
-                                      "-D__ADSPBF561__=1",
-                                      "-D__FINBACK__=1",
-                                      "-Wall",
-                                      "-g",
-                                      "-gline-tables-only",
-                                      "-emit-llvm",
-                                      "-fno-discard-value-names",
-                                      "-Xclang",
-                                      "-disable-llvm-passes",
-                                      "-Xclang",
-                                      "-disable-O0-optnone",
-                                      "-fdebug-default-version=5",
-                                      std::string("-O") + options.level,
-                                      "-isystem",
-                                      include_dir};
+/// A file that is removed when it is no longer needed.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const char* suffix) {
+    if (std::error_code error = llvm::sys::fs::createTemporaryFile("finback-cc", suffix, path_))
+      throw std::runtime_error("cannot make a temporary file: " + error.message());
+  }
+  ~TemporaryFile() { llvm::sys::fs::remove(path_); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  std::string path() const { return path_.str().str(); }
+  std::unique_ptr<llvm::MemoryBuffer> read() const {
+    auto buffer = llvm::MemoryBuffer::getFile(path_);
+    if (!buffer)
+      throw std::runtime_error("cannot read what clang-19 wrote: " + buffer.getError().message());
+    return std::move(*buffer);
+  }
+
+ private:
+  llvm::SmallString<128> path_;
+};
+
+/// What decides how clang reads C.
+std::vector<std::string> language_options(const Options& options, const std::string& include_dir) {
+  std::vector<std::string> command = {
+      "-target",         "csky",         "-std=gnu11",
+      "-ffreestanding",  "-fno-builtin", "-nostdlibinc",
+      "-Ucsky",          "-U__csky__",   "-U__CSKY__",
+      "-U__ckcore__",    "-U__CKCORE__", "-U__CSKYABI__",
+      "-U__cskyabi__",   "-U__CSKYLE__", "-U__cskyle__",
+      "-D__bfin__=1",    "-D__BFIN__=1", "-D__ADSPBF561__=1",
+      "-D__FINBACK__=1", "-Wall",        std::string("-O") + options.level,
+      "-isystem",        include_dir};
   command.insert(command.end(), options.clang_arguments.begin(), options.clang_arguments.end());
-  for (const char* last : {"-c", "-o"})
-    command.emplace_back(last);
-  command.push_back(output);
-  command.push_back(input);
   return command;
+}
+
+/// To bitcode, before any optimisation.
+constexpr const char* kCompile[] = {"-g",
+                                    "-gline-tables-only",
+                                    "-emit-llvm",
+                                    "-fno-discard-value-names",
+                                    "-Xclang",
+                                    "-disable-llvm-passes",
+                                    "-Xclang",
+                                    "-disable-O0-optnone",
+                                    "-fdebug-default-version=5",
+                                    "-c"};
+
+/// Runs clang; false when it has reported errors.
+bool run_clang(std::vector<std::string> arguments, const std::string& input,
+               const TemporaryFile& output) {
+  auto clang = llvm::sys::findProgramByName("clang-19");
+  if (!clang)
+    throw std::runtime_error("clang-19 is not on PATH: install the package clang-19");
+  arguments.insert(arguments.begin(), *clang);
+  for (const std::string& last : {std::string("-o"), output.path(), input})
+    arguments.push_back(last);
+  std::vector<llvm::StringRef> command(arguments.begin(), arguments.end());
+  std::string problem;
+  const int code = llvm::sys::ExecuteAndWait(*clang, command, std::nullopt, {}, 0, 0, &problem);
+  if (code < 0)
+    throw std::runtime_error("cannot run " + *clang + ": " + problem);
+  return code == 0;
+}
+
+/// With its assembly in the form that clang takes; the lines are told by line markers.
+bool preprocess(const std::string& input, std::vector<std::string> arguments,
+                const TemporaryFile& output, bool& has_assembly) {
+  const TemporaryFile plain("i");
+  arguments.insert(arguments.end(), {"-E", "-w"});
+  if (!run_clang(arguments, input, plain))
+    return false;
+  std::string text = plain.read()->getBuffer().str();
+  has_assembly = rewrite_assembly(text);
+  std::ofstream(output.path(), std::ios::binary) << text;
+  return true;
 }
 
 }  // namespace
@@ -61,26 +98,18 @@ std::vector<std::string> clang_command(const std::string& clang, const std::stri
 std::unique_ptr<llvm::Module> compile_c(const std::string& input, const Options& options,
                                         const std::string& include_dir,
                                         llvm::LLVMContext& context) {
-  auto clang = llvm::sys::findProgramByName("clang-19");
-  if (!clang)
-    throw std::runtime_error("clang-19 is not on PATH: install the package clang-19");
-  llvm::SmallString<128> bitcode;
-  if (std::error_code error = llvm::sys::fs::createTemporaryFile("finback-cc", "bc", bitcode))
-    throw std::runtime_error("cannot make a temporary file: " + error.message());
-  llvm::FileRemover remover(bitcode);
-  std::vector<std::string> command =
-      clang_command(*clang, input, options, include_dir, bitcode.str().str());
-  std::vector<llvm::StringRef> arguments(command.begin(), command.end());
-  std::string problem;
-  int code = llvm::sys::ExecuteAndWait(*clang, arguments, std::nullopt, {}, 0, 0, &problem);
-  if (code < 0)
-    throw std::runtime_error("cannot run " + *clang + ": " + problem);
-  if (code > 0)
+  std::vector<std::string> arguments = language_options(options, include_dir);
+  const TemporaryFile rewritten("i");
+  bool has_assembly = false;
+  if (!preprocess(input, arguments, rewritten, has_assembly))
     return nullptr;
-  auto buffer = llvm::MemoryBuffer::getFile(bitcode);
-  if (!buffer)
-    throw std::runtime_error("cannot read what clang-19 wrote: " + buffer.getError().message());
-  auto module = llvm::parseBitcodeFile((*buffer)->getMemBufferRef(), context);
+  arguments.insert(arguments.end(), std::begin(kCompile), std::end(kCompile));
+  if (has_assembly)
+    arguments.emplace_back("-Wno-unused-command-line-argument");  // of the preprocessor
+  const TemporaryFile bitcode("bc");
+  if (!run_clang(arguments, has_assembly ? rewritten.path() : input, bitcode))
+    return nullptr;
+  auto module = llvm::parseBitcodeFile(bitcode.read()->getMemBufferRef(), context);
   if (!module)
     throw std::runtime_error("cannot read what clang-19 wrote: " +
                              llvm::toString(module.takeError()));

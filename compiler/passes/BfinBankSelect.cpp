@@ -193,16 +193,14 @@ void BfinBankSelect::connect_copy(MachineInstr& copy) {
 /// What the instruction's table says of one operand.
 Bank BfinBankSelect::operand_bank(const MachineInstr& inst, unsigned index) const {
   const MCInstrDesc& desc = inst.getDesc();
-  if (index >= desc.getNumOperands())
-    return Bank::kEither;
-  switch (desc.operands()[index].RegClass) {
-    case Bfin::DRegClassID:
-      return Bank::kData;
-    case Bfin::PRegClassID:
-      return Bank::kPointer;
-    default:
-      return Bank::kEither;
-  }
+  const TargetRegisterClass* wanted = nullptr;
+  if (inst.isInlineAsm())
+    wanted = inst.getRegClassConstraint(index, tii_, regs_->getTargetRegisterInfo());
+  else if (index < desc.getNumOperands() && desc.operands()[index].RegClass >= 0)
+    wanted = regs_->getTargetRegisterInfo()->getRegClass(desc.operands()[index].RegClass);
+  return wanted == &Bfin::DRegClass   ? Bank::kData
+         : wanted == &Bfin::PRegClass ? Bank::kPointer
+                                      : Bank::kEither;
 }
 
 /// Decides ties: scaled sums belong to addresses, where one instruction makes them; what is loaded

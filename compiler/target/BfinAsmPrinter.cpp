@@ -2,6 +2,7 @@
 
 #include <llvm/BinaryFormat/ELF.h>
 #include <llvm/CodeGen/MachineInstr.h>
+#include <llvm/CodeGen/MachineJumpTableInfo.h>
 #include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/Module.h>
 #include <llvm/MC/MCContext.h>
@@ -11,6 +12,7 @@
 #include <llvm/MC/MCSymbol.h>
 #include <map>
 
+#include "BfinInstPrinter.hpp"
 #include "BfinMCTargetDesc.hpp"
 #include "BfinSubtarget.hpp"
 #include "BirStreamer.hpp"
@@ -30,15 +32,25 @@ class BfinAsmPrinter : public AsmPrinter {
   void emitFunctionBodyEnd() override;
   void emitLinkage(const GlobalValue*, MCSymbol*) const override {}
   void emitInstruction(const MachineInstr* inst) override;
+  void emitInlineAsmStart() const override { bir().begin_assembly(); }
+  void emitInlineAsmEnd(const MCSubtargetInfo&, const MCSubtargetInfo*) const override {
+    bir().end_assembly();
+  }
+  void emitJumpTableInfo() override;
+  bool PrintAsmOperand(const MachineInstr* inst, unsigned index, const char* modifier,
+                       raw_ostream& out) override;
+  bool PrintAsmMemoryOperand(const MachineInstr* inst, unsigned index, const char* modifier,
+                             raw_ostream& out) override;
   void emitImplicitDef(const MachineInstr*) const override {}
 
  private:
-  BirStreamer& bir() { return static_cast<BirStreamer&>(*OutStreamer); }
+  BirStreamer& bir() const { return static_cast<BirStreamer&>(*OutStreamer); }
   void write(const Twine& line) { OutStreamer->emitRawText(line); }
   void write_name(const GlobalValue& global, const MCSymbol& symbol, StringRef type, Align align);
   void add_file(StringRef path);
   void write_location(const MachineInstr& inst);
   void write_place(StringRef path, unsigned line, unsigned column);
+  MCSymbol* jump_table(unsigned index);
   MCInst lower(const MachineInstr& inst);
   MCOperand lower_operand(const MachineOperand& operand);
 
@@ -131,6 +143,31 @@ void BfinAsmPrinter::write_place(StringRef path, unsigned line, unsigned column)
   write("  .loc " + Twine(file->second) + " " + Twine(line) + " " + Twine(column));
 }
 
+/// No C name has a dot.
+MCSymbol* BfinAsmPrinter::jump_table(unsigned index) {
+  return OutContext.getOrCreateSymbol(CurrentFnSym->getName() + ".jumps" + Twine(index));
+}
+
+/// Objects of their own, so that each can be placed: addresses of the function's labels.
+void BfinAsmPrinter::emitJumpTableInfo() {
+  const MachineJumpTableInfo* info = MF->getJumpTableInfo();
+  if (info == nullptr)
+    return;
+  for (const auto& [index, table] : enumerate(info->getJumpTables())) {
+    if (table.MBBs.empty())
+      continue;
+    MCSymbol* symbol = jump_table(static_cast<unsigned>(index));
+    OutStreamer->switchSection(
+        OutContext.getELFSection(".rodata", ELF::SHT_PROGBITS, ELF::SHF_ALLOC));
+    write(".type " + symbol->getName() + ", @object");
+    write(".align 4");
+    OutStreamer->emitLabel(symbol);
+    for (const MachineBasicBlock* block : table.MBBs)
+      OutStreamer->emitValue(MCSymbolRefExpr::create(block->getSymbol(), OutContext), 4);
+    write(".size " + symbol->getName() + ", " + Twine(4 * table.MBBs.size()));
+  }
+}
+
 MCOperand BfinAsmPrinter::lower_operand(const MachineOperand& operand) {
   const MCSymbol* symbol = nullptr;
   int64_t offset = 0;
@@ -151,6 +188,13 @@ MCOperand BfinAsmPrinter::lower_operand(const MachineOperand& operand) {
       break;
     case MachineOperand::MO_MCSymbol:
       symbol = operand.getMCSymbol();
+      break;
+    case MachineOperand::MO_JumpTableIndex:
+      symbol = jump_table(static_cast<unsigned>(operand.getIndex()));
+      break;
+    case MachineOperand::MO_BlockAddress:
+      symbol = GetBlockAddressSymbol(operand.getBlockAddress());
+      offset = operand.getOffset();
       break;
     case MachineOperand::MO_ConstantPoolIndex:
       symbol = GetCPISymbol(static_cast<unsigned>(operand.getIndex()));
@@ -192,6 +236,36 @@ void BfinAsmPrinter::emitInstruction(const MachineInstr* inst) {
     });
   }
   bir().emitPacket(packet, getSubtargetInfo());
+}
+
+/// Modifiers as GCC has them: %h0 is the low half of a register, %d0 the high one. True: an error.
+bool BfinAsmPrinter::PrintAsmOperand(const MachineInstr* inst, unsigned index, const char* modifier,
+                                     raw_ostream& out) {
+  const MachineOperand& operand = inst->getOperand(index);
+  const char which = modifier == nullptr ? 0 : modifier[0];
+  if (which == 0 && !operand.isReg()) {
+    const MCOperand value = lower_operand(operand);
+    if (value.isImm())
+      out << value.getImm();
+    else
+      value.getExpr()->print(out, MAI);
+    return false;
+  }
+  if (!operand.isReg() || (which != 0 && which != 'h' && which != 'd'))
+    return AsmPrinter::PrintAsmOperand(inst, index, modifier, out);
+  out << BfinInstPrinter::getRegisterName(operand.getReg())
+      << (which == 'h'   ? ".L"
+          : which == 'd' ? ".H"
+                         : "");
+  return false;
+}
+
+bool BfinAsmPrinter::PrintAsmMemoryOperand(const MachineInstr* inst, unsigned index,
+                                           const char* modifier, raw_ostream& out) {
+  if (modifier != nullptr)
+    return true;
+  out << '[' << BfinInstPrinter::getRegisterName(inst->getOperand(index).getReg()) << ']';
+  return false;
 }
 
 }  // namespace

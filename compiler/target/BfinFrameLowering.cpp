@@ -73,7 +73,8 @@ static uint64_t local_bytes(const MachineFunction& function) {
 
 bool BfinFrameLowering::hasFP(const MachineFunction& function) const {
   const MachineFrameInfo& frame = function.getFrameInfo();
-  return frame.hasCalls() || frame.hasVarSizedObjects() || frame.isFrameAddressTaken() ||
+  return frame.hasCalls() || !function.getRegInfo().def_empty(Bfin::RETS) ||
+         frame.hasVarSizedObjects() || frame.isFrameAddressTaken() ||
          (frame.getStackSize() > kLinkBytes && local_bytes(function) > kMostWithoutLink);
 }
 

@@ -39,6 +39,22 @@ class BfinDAGToDAGISel : public SelectionDAGISel {
     return set(address, 0);
   }
 
+  /// "m": the address in a register.
+  bool SelectInlineAsmMemoryOperand(const SDValue& op, InlineAsm::ConstraintCode,
+                                    std::vector<SDValue>& operands) override {
+    SDValue address = op;
+    if (auto* frame = dyn_cast<FrameIndexSDNode>(op)) {
+      SDLoc loc(op);
+      address =
+          SDValue(CurDAG->getMachineNode(Bfin::LEA, loc, MVT::i32,
+                                         CurDAG->getTargetFrameIndex(frame->getIndex(), MVT::i32),
+                                         CurDAG->getTargetConstant(0, loc, MVT::i32)),
+                  0);
+    }
+    operands.push_back(address);
+    return false;
+  }
+
   bool select_stepping_load(SDNode* node);
   bool select_stepping_store(SDNode* node);
 };

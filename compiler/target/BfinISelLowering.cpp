@@ -19,16 +19,16 @@ BfinTargetLowering::BfinTargetLowering(const TargetMachine& machine, const BfinS
   setMinFunctionAlignment(Align(2));
   setMinStackArgumentAlignment(Align(4));
   setSchedulingPreference(Sched::RegPressure);
-  // Five compares decide what a table would, and tables put addresses of code into data.
-  setMinimumJumpTableEntries(UINT_MAX);
+  // A table costs about fourteen cycles, most of them the jump's; so do three compares in a row.
+  setMinimumJumpTableEntries(8);
   setMaxAtomicSizeInBitsSupported(32);
   MaxStoresPerMemcpy = MaxStoresPerMemcpyOptSize = 8;
   MaxStoresPerMemmove = MaxStoresPerMemmoveOptSize = 4;
   MaxStoresPerMemset = MaxStoresPerMemsetOptSize = 8;
 
   for (unsigned op : {ISD::BR_CC, ISD::SELECT_CC, ISD::SETCC, ISD::GlobalAddress,
-                      ISD::ExternalSymbol, ISD::ConstantPool, ISD::JumpTable, ISD::UMUL_LOHI,
-                      ISD::MULHU, ISD::SHL_PARTS, ISD::SRL_PARTS, ISD::SRA_PARTS})
+                      ISD::ExternalSymbol, ISD::ConstantPool, ISD::JumpTable, ISD::BlockAddress,
+                      ISD::UMUL_LOHI, ISD::MULHU, ISD::SHL_PARTS, ISD::SRL_PARTS, ISD::SRA_PARTS})
     setOperationAction(op, MVT::i32, Custom);
   for (unsigned op : {ISD::VASTART, ISD::ATOMIC_FENCE, ISD::TRAP})
     setOperationAction(op, MVT::Other, Custom);
@@ -70,6 +70,7 @@ SDValue BfinTargetLowering::LowerOperation(SDValue op, SelectionDAG& dag) const 
     case ISD::ExternalSymbol:
     case ISD::ConstantPool:
     case ISD::JumpTable:
+    case ISD::BlockAddress:
       return lower_symbol(op, dag);
     case ISD::BR_CC:
       return lower_branch(op, dag);
@@ -111,6 +112,9 @@ SDValue BfinTargetLowering::lower_symbol(SDValue op, SelectionDAG& dag) const {
     target = dag.getTargetExternalSymbol(symbol->getSymbol(), MVT::i32);
   } else if (auto* table = dyn_cast<JumpTableSDNode>(op)) {
     target = dag.getTargetJumpTable(table->getIndex(), MVT::i32);
+  } else if (auto* block = dyn_cast<BlockAddressSDNode>(op)) {
+    target = dag.getTargetBlockAddress(block->getBlockAddress(), MVT::i32);
+    offset = block->getOffset();
   } else {
     auto* pool = cast<ConstantPoolSDNode>(op);
     target = dag.getTargetConstantPool(pool->getConstVal(), MVT::i32, pool->getAlign());

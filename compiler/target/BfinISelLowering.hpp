@@ -54,6 +54,10 @@ class BfinTargetLowering : public TargetLowering {
   bool isZExtFree(SDValue value, EVT to) const override;
   bool getPostIndexedAddressParts(SDNode* access, SDNode* step, SDValue& base, SDValue& offset,
                                   ISD::MemIndexedMode& mode, SelectionDAG& dag) const override;
+  // BfinInlineAsm.cpp.
+  ConstraintType getConstraintType(StringRef constraint) const override;
+  std::pair<unsigned, const TargetRegisterClass*> getRegForInlineAsmConstraint(
+      const TargetRegisterInfo* registers, StringRef constraint, MVT type) const override;
   bool shouldConvertConstantLoadToIntImm(const APInt&, Type*) const override { return true; }
 
  private:

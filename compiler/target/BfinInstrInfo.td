@@ -93,6 +93,7 @@ def : Pat<(bfin_symbol tglobaladdr:$s), (LDSYM tglobaladdr:$s)>;
 def : Pat<(bfin_symbol texternalsym:$s), (LDSYM texternalsym:$s)>;
 def : Pat<(bfin_symbol tjumptable:$s), (LDSYM tjumptable:$s)>;
 def : Pat<(bfin_symbol tconstpool:$s), (LDSYM tconstpool:$s)>;
+def : Pat<(bfin_symbol tblockaddress:$s), (LDSYM tblockaddress:$s)>;
 def LO16 : BfinInst<4, (outs DP:$rd), (ins Half:$v), "${rd}.L = $v">;
 let Constraints = "$old = $rd" in
 def HI16 : BfinInst<4, (outs DP:$rd), (ins DP:$old, Half:$v), "${rd}.H = $v">;

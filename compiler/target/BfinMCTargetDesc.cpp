@@ -31,6 +31,8 @@ BfinMCAsmInfo::BfinMCAsmInfo() {
   // Lines are written by the printer itself; there are no DWARF sections.
   SupportsDebugInformation = false;
   UsesELFSectionDirectiveForBSS = true;
+  // Inline assembly goes into the text as it is; who loads it checks it.
+  UseIntegratedAssembler = false;
 }
 
 static MCAsmInfo* create_asm_info(const MCRegisterInfo&, const Triple&, const MCTargetOptions&) {

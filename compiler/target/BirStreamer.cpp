@@ -40,6 +40,12 @@ BirStreamer::~BirStreamer() = default;
 
 void BirStreamer::emitRawTextImpl(StringRef text) {
   flush_values();
+  if (in_assembly_) {
+    text = text.trim();
+    if (!text.empty())
+      out_ << "  " << text << (text.ends_with(";") ? "\n" : ";\n");
+    return;
+  }
   out_ << text;
   if (!text.ends_with("\n"))
     out_ << '\n';

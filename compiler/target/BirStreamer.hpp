@@ -31,6 +31,10 @@ class BirStreamer : public MCStreamer {
   void emitCodeAlignment(Align, const MCSubtargetInfo*, unsigned) override {}
   void finishImpl() override;
 
+  /// Between them, raw text is instructions that somebody wrote by hand.
+  void begin_assembly() { in_assembly_ = true; }
+  void end_assembly() { in_assembly_ = false; }
+
   /// The packet's instructions, joined; an empty slot 2 is written as NOP.
   void emitPacket(ArrayRef<MCInst> insts, const MCSubtargetInfo& subtarget);
 
@@ -42,6 +46,7 @@ class BirStreamer : public MCStreamer {
   // Numbers of one size that share a line.
   SmallVector<uint64_t, 16> values_;
   unsigned value_size_ = 0;
+  bool in_assembly_ = false;
 };
 
 }  // namespace llvm
