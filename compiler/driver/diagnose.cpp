@@ -4,7 +4,6 @@
 #include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/Instructions.h>
-#include <llvm/IR/IntrinsicInst.h>
 
 #include "../target/BfinMachineFunctionInfo.hpp"
 
@@ -29,20 +28,6 @@ bool computes_wide(const Instruction& inst) {
     default:
       return inst.isShift() && !isa<ConstantInt>(inst.getOperand(1));
   }
-}
-
-/// Floating-point values may be copied about; computing with them needs a library that is not
-/// there.
-bool computes_in_float(const Instruction& inst) {
-  if (isa<LoadInst>(inst) || isa<StoreInst>(inst) || isa<PHINode>(inst) || isa<SelectInst>(inst) ||
-      isa<ReturnInst>(inst) || isa<BitCastInst>(inst))
-    return false;
-  if (isa<CallInst>(inst) && !isa<IntrinsicInst>(inst))
-    return false;
-  if (inst.getType()->isFloatingPointTy())
-    return true;
-  return any_of(inst.operands(),
-                [](const Use& use) { return use->getType()->isFloatingPointTy(); });
 }
 
 std::string problem_of_assembly(const CallBase& call) {
@@ -89,8 +74,6 @@ std::string problem_of(const Instruction& inst) {
   if (computes_wide(inst))
     return "products, quotients and variable shifts of integers wider than 64 bits are not "
            "supported";
-  if (computes_in_float(inst))
-    return "floating-point arithmetic is not supported; use fixed point";
   if (const auto* call = dyn_cast<CallBase>(&inst))
     return problem_of_call(*call);
   return "";

@@ -51,8 +51,9 @@ std::vector<std::string> language_options(const Options& options, const std::str
   return command;
 }
 
-/// To bitcode, before any optimisation.
+/// To bitcode, before any optimisation. Every operation on floats rounds by itself.
 constexpr const char* kCompile[] = {"-g",
+                                    "-ffp-contract=off",
                                     "-gline-tables-only",
                                     "-emit-llvm",
                                     "-fno-discard-value-names",

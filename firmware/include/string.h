@@ -1,4 +1,4 @@
-/* The part of the C library's string.h that the runtime has. */
+/* The C library's string.h as far as the runtime has it: memory in memory.c, text in string.c. */
 #ifndef FINBACK_STRING_H
 #define FINBACK_STRING_H
 
@@ -7,5 +7,23 @@
 void* memcpy(void* restrict destination, const void* restrict source, size_t bytes);
 void* memmove(void* destination, const void* source, size_t bytes);
 void* memset(void* destination, int value, size_t bytes);
+int memcmp(const void* one, const void* other, size_t bytes);
+void* memchr(const void* memory, int value, size_t bytes);
+
+size_t strlen(const char* text);
+size_t strnlen(const char* text, size_t limit);
+char* strcpy(char* restrict destination, const char* restrict source);
+char* strncpy(char* restrict destination, const char* restrict source, size_t bytes);
+char* strcat(char* restrict destination, const char* restrict source);
+char* strncat(char* restrict destination, const char* restrict source, size_t limit);
+int strcmp(const char* one, const char* other);
+int strncmp(const char* one, const char* other, size_t limit);
+char* strchr(const char* text, int character);
+char* strrchr(const char* text, int character);
+char* strstr(const char* text, const char* part);
+size_t strspn(const char* text, const char* accepted);
+size_t strcspn(const char* text, const char* rejected);
+char* strpbrk(const char* text, const char* accepted);
+char* strtok(char* restrict text, const char* restrict separators);
 
 #endif

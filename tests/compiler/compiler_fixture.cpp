@@ -1,5 +1,6 @@
 #include "compiler_fixture.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -60,20 +61,24 @@ std::string CompilerTest::compile(std::string_view text,
   return read("unit.bir");
 }
 
+/// The units that a program is linked with: the build compiled them, once for all programs.
+static std::vector<std::string> runtime_units() {
+  std::vector<std::string> units;
+  for (const auto& entry : fs::directory_iterator(FINBACK_RUNTIME))
+    if (!entry.path().stem().string().starts_with("start_"))
+      units.push_back(entry.path().string());
+  std::sort(units.begin(), units.end());
+  return units;
+}
+
 Finished CompilerTest::execute(const std::string& source_path, const std::string& level) const {
-  std::vector<std::string> command = {FINBACK_BIR_RUN, "program.bir"};
   Finished finished =
       cc({"-O" + level, "--verify", "-W", "no-everything", "-o", "program.bir", source_path});
   if (finished.exit_code != 0)
     return finished;
-  const std::string runtime = std::string(FINBACK_SOURCE_DIR) + "/firmware/";
-  for (const char* unit : {"memory", "divide"}) {
-    finished = cc({"-O2", "-I", runtime + "include", "-o", std::string(unit) + ".bir",
-                   runtime + "runtime/" + unit + ".c"});
-    if (finished.exit_code != 0)
-      return finished;
-    command.push_back(std::string(unit) + ".bir");
-  }
+  std::vector<std::string> command = {FINBACK_BIR_RUN, "program.bir"};
+  for (std::string& unit : runtime_units())
+    command.push_back(std::move(unit));
   return run(command);
 }
 

@@ -39,7 +39,7 @@ TEST_P(Differential, PrintsWhatTheHostPrints) {
 INSTANTIATE_TEST_SUITE_P(Programs, Differential, ::testing::ValuesIn(all_programs()),
                          [](const auto& program) { return program.param; });
 
-TEST(DifferentialPrograms, AreAtLeastForty) { EXPECT_GE(all_programs().size(), 40U); }
+TEST(DifferentialPrograms, AreAtLeastFifty) { EXPECT_GE(all_programs().size(), 50U); }
 
 }  // namespace
 }  // namespace finback::compiler

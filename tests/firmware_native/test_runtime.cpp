@@ -15,6 +15,10 @@ std::uint32_t guest_udivsi3(std::uint32_t dividend, std::uint32_t divisor);
 std::uint32_t guest_umodsi3(std::uint32_t dividend, std::uint32_t divisor);
 std::int32_t guest_divsi3(std::int32_t dividend, std::int32_t divisor);
 std::int32_t guest_modsi3(std::int32_t dividend, std::int32_t divisor);
+std::uint64_t guest_udivdi3(std::uint64_t dividend, std::uint64_t divisor);
+std::uint64_t guest_umoddi3(std::uint64_t dividend, std::uint64_t divisor);
+std::int64_t guest_divdi3(std::int64_t dividend, std::int64_t divisor);
+std::int64_t guest_moddi3(std::int64_t dividend, std::int64_t divisor);
 }
 
 namespace finback {
@@ -91,7 +95,44 @@ TEST(Runtime, DivisionEqualsTheHosts) {
   }
 }
 
+TEST(Runtime, LongDivisionEqualsTheHosts) {
+  std::mt19937_64 generator(32);
+  std::vector<std::uint64_t> numbers = {0,
+                                        1,
+                                        2,
+                                        3,
+                                        10,
+                                        0xFFFFFFFF,
+                                        0x100000000,
+                                        0x100000001,
+                                        0x7FFFFFFFFFFFFFFF,
+                                        0x8000000000000000,
+                                        0x8000000000000001,
+                                        0xFFFFFFFFFFFFFFFF};
+  for (int i = 0; i < 300; ++i) {
+    numbers.push_back(generator() >> generator() % 64U);
+  }
+  for (const std::uint64_t dividend : numbers) {
+    for (const std::uint64_t divisor : numbers) {
+      if (divisor == 0) {
+        continue;
+      }
+      ASSERT_EQ(guest_udivdi3(dividend, divisor), dividend / divisor);
+      ASSERT_EQ(guest_umoddi3(dividend, divisor), dividend % divisor);
+      const auto signed_dividend = static_cast<std::int64_t>(dividend);
+      const auto signed_divisor = static_cast<std::int64_t>(divisor);
+      if (signed_dividend == std::numeric_limits<std::int64_t>::min() && signed_divisor == -1) {
+        continue;  // overflows: undefined in C
+      }
+      ASSERT_EQ(guest_divdi3(signed_dividend, signed_divisor), signed_dividend / signed_divisor);
+      ASSERT_EQ(guest_moddi3(signed_dividend, signed_divisor), signed_dividend % signed_divisor);
+    }
+  }
+}
+
 TEST(Runtime, DivisionByZeroGivesOnesAndTheDividend) {
+  EXPECT_EQ(guest_udivdi3(77, 0), 0xFFFFFFFFFFFFFFFFU);
+  EXPECT_EQ(guest_umoddi3(77, 0), 77U);
   EXPECT_EQ(guest_udivsi3(77, 0), 0xFFFFFFFFU);
   EXPECT_EQ(guest_umodsi3(77, 0), 77U);
 }

@@ -1,0 +1,9 @@
+/* float: + and -. */
+#define FLOAT_BITS 32
+#include "soft_float/add.h"
+
+real_t __addsf3(real_t a, real_t b) { return float_of(add_bits(bits_of(a), bits_of(b))); }
+
+real_t __subsf3(real_t a, real_t b) {
+  return float_of(add_bits(bits_of(a), bits_of(b) ^ SIGN_BIT));
+}

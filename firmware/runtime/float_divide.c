@@ -1,0 +1,5 @@
+/* float: division. */
+#define FLOAT_BITS 32
+#include "soft_float/divide.h"
+
+real_t __divsf3(real_t a, real_t b) { return float_of(divide_bits(bits_of(a), bits_of(b))); }

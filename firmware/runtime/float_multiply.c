@@ -1,0 +1,5 @@
+/* float: multiplication. */
+#define FLOAT_BITS 32
+#include "soft_float/multiply.h"
+
+real_t __mulsf3(real_t a, real_t b) { return float_of(multiply_bits(bits_of(a), bits_of(b))); }
