@@ -5,7 +5,7 @@ set -euo pipefail
 
 packages=(
   # building
-  g++ cmake ninja-build git ca-certificates
+  g++ cmake ninja-build make git ca-certificates
   # finback-cc: LLVM as a library and clang as its front end
   llvm-19-dev clang-19
   # libraries of the simulator and its tools

@@ -116,6 +116,12 @@ std::vector<std::string> unsupported_constructs(const Module& module, const std:
   for (const GlobalVariable& global : module.globals())
     if (global.isThreadLocal())
       add(input + ":1:1", ("thread-local '" + global.getName() + "' is not supported").str());
+  for (const char* list : {"llvm.global_ctors", "llvm.global_dtors"})
+    if (const GlobalVariable* functions = module.getGlobalVariable(list))
+      add(input + ":1:1",
+          "objects and functions that want code before main or after it are not "
+          "supported (" +
+              functions->getName().drop_front(5).str() + ")");
   if (!module.getModuleInlineAsm().empty())
     add(input + ":1:1", "assembly outside functions is not supported; write it in a .bir file");
   if (!module.alias_empty() || !module.ifunc_empty())

@@ -4,6 +4,7 @@
 #include <llvm/Bitcode/BitcodeReader.h>
 #include <llvm/Support/FileSystem.h>
 #include <llvm/Support/MemoryBuffer.h>
+#include <llvm/Support/Path.h>
 #include <llvm/Support/Program.h>
 #include <stdexcept>
 
@@ -36,17 +37,41 @@ class TemporaryFile {
   llvm::SmallString<128> path_;
 };
 
-/// What decides how clang reads C.
-std::vector<std::string> language_options(const Options& options, const std::string& include_dir) {
-  std::vector<std::string> command = {
-      "-target",         "csky",         "-std=gnu11",
-      "-ffreestanding",  "-fno-builtin", "-nostdlibinc",
-      "-Ucsky",          "-U__csky__",   "-U__CSKY__",
-      "-U__ckcore__",    "-U__CKCORE__", "-U__CSKYABI__",
-      "-U__cskyabi__",   "-U__CSKYLE__", "-U__cskyle__",
-      "-D__bfin__=1",    "-D__BFIN__=1", "-D__ADSPBF561__=1",
-      "-D__FINBACK__=1", "-Wall",        std::string("-O") + options.level,
-      "-isystem",        include_dir};
+bool is_cpp(const std::string& path) {
+  const llvm::StringRef ending = llvm::sys::path::extension(path);
+  return ending == ".cpp" || ending == ".cc" || ending == ".cxx";
+}
+
+/// What decides how clang reads C or C++.
+std::vector<std::string> language_options(const std::string& input, const Options& options,
+                                          const std::string& include_dir) {
+  std::vector<std::string> command = {"-target",
+                                      "csky",
+                                      "-fno-builtin",
+                                      "-nostdlibinc",
+                                      "-Ucsky",
+                                      "-U__csky__",
+                                      "-U__CSKY__",
+                                      "-U__ckcore__",
+                                      "-U__CKCORE__",
+                                      "-U__CSKYABI__",
+                                      "-U__cskyabi__",
+                                      "-U__CSKYLE__",
+                                      "-U__cskyle__",
+                                      "-D__bfin__=1",
+                                      "-D__BFIN__=1",
+                                      "-D__ADSPBF561__=1",
+                                      "-D__FINBACK__=1",
+                                      "-Wall",
+                                      std::string("-O") + options.level,
+                                      "-isystem",
+                                      include_dir};
+  if (is_cpp(input))
+    // Freestanding C++ would take main for a function like any other, and change its name.
+    command.insert(command.end(), {"-std=gnu++17", "-fno-exceptions", "-fno-rtti", "-nostdinc++",
+                                   "-fno-threadsafe-statics", "-fno-use-cxa-atexit"});
+  else
+    command.insert(command.end(), {"-std=gnu11", "-ffreestanding"});
   command.insert(command.end(), options.clang_arguments.begin(), options.clang_arguments.end());
   return command;
 }
@@ -99,8 +124,8 @@ bool preprocess(const std::string& input, std::vector<std::string> arguments,
 std::unique_ptr<llvm::Module> compile_c(const std::string& input, const Options& options,
                                         const std::string& include_dir,
                                         llvm::LLVMContext& context) {
-  std::vector<std::string> arguments = language_options(options, include_dir);
-  const TemporaryFile rewritten("i");
+  std::vector<std::string> arguments = language_options(input, options, include_dir);
+  const TemporaryFile rewritten(is_cpp(input) ? "ii" : "i");
   bool has_assembly = false;
   if (!preprocess(input, arguments, rewritten, has_assembly))
     return nullptr;

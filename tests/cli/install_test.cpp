@@ -5,7 +5,29 @@
 namespace finback::cli {
 namespace {
 
-class Install : public ProgramTest {};
+class Install : public ProgramTest {
+ protected:
+  // The example of a firmware, outside the source tree: by CMake and by make the same.
+  void build_example(const std::string& prefix) const {
+    const std::filesystem::path example = folder() / "example";
+    std::filesystem::copy(prefix + "/share/finback/examples/firmware", example,
+                          std::filesystem::copy_options::recursive);
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{FINBACK_CMAKE, "-B", "out", "-D", "CMAKE_PREFIX_PATH=" + prefix},
+          std::vector<std::string>{FINBACK_CMAKE, "--build", "out"},
+          std::vector<std::string>{"make", "FINBACK=" + prefix}}) {
+      const Finished built = run_program(command, example);
+      ASSERT_EQ(built.exit_code, 0) << built.out << built.err;
+    }
+    EXPECT_EQ(read_text_file(example / "out/edges/edges.bir"),
+              read_text_file(example / "build/edges/edges.bir"));
+    const Finished ran = run_program({prefix + "/bin/finback", "run", "--firmware", "out/edges",
+                                      "--frames", "2", "--out", "result"},
+                                     example);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(std::filesystem::exists(example / "result/disparity_0001.png"));
+  }
+};
 
 TEST_F(Install, GivesProgramsThatRunAnywhere) {
   const std::string prefix = (folder() / "prefix").string();
@@ -31,6 +53,7 @@ TEST_F(Install, GivesProgramsThatRunAnywhere) {
     const Finished ran = run_program(
         {prefix + "/bin/finback", "run", "--firmware", "main.bir", "--out", "main"}, elsewhere);
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    build_example(prefix);
   }
 }
 

@@ -49,6 +49,19 @@ constexpr Case kCases[] = {
      "bad.c:2:1: error: the stack frame of"},
 };
 
+TEST_F(CompilerTest, CodeBeforeMainIsAnError) {
+  write("bad.cpp", "struct A {\n  int x;\n  A() : x(f()) {}\n  static int f();\n};\nA a;\n");
+  const Finished finished = cc({"-o", "bad.bir", "bad.cpp"});
+  EXPECT_EQ(finished.exit_code, 2);
+  EXPECT_NE(finished.err.find("want code before main"), std::string::npos) << finished.err;
+}
+
+TEST_F(CompilerTest, CppHasNoExceptionsAndNoTypeInformation) {
+  write("bad.cpp", "int f() {\n  throw 1;\n}\n");
+  EXPECT_NE(cc({"-o", "bad.bir", "bad.cpp"}).err.find("bad.cpp:2:3: error: cannot use 'throw'"),
+            std::string::npos);
+}
+
 class Diagnostics : public CompilerTest, public ::testing::WithParamInterface<Case> {};
 
 TEST_P(Diagnostics, NamesTheLine) {
