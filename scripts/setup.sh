@@ -15,6 +15,8 @@ packages=(
   libsqlite3-dev gnuplot-nox
   # tests, benchmarks and checks
   libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy
+  # random C programs for the compiler, and a host whose long has 32 bits, too
+  csmith libcsmith-dev gcc-multilib
 )
 
 missing=()

@@ -74,9 +74,11 @@ static std::vector<std::string> runtime_units() {
 Finished CompilerTest::execute(const std::string& source_path, const std::string& level) const {
   Finished finished =
       cc({"-O" + level, "--verify", "-W", "no-everything", "-o", "program.bir", source_path});
-  if (finished.exit_code != 0)
-    return finished;
-  std::vector<std::string> command = {FINBACK_BIR_RUN, "program.bir"};
+  return finished.exit_code == 0 ? execute_bir("program.bir") : finished;
+}
+
+Finished CompilerTest::execute_bir(const std::string& bir) const {
+  std::vector<std::string> command = {FINBACK_BIR_RUN, bir};
   for (std::string& unit : runtime_units())
     command.push_back(std::move(unit));
   return run(command);

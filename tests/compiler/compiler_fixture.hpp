@@ -32,6 +32,8 @@ class CompilerTest : public ::testing::Test {
                                     const std::vector<std::string>& options = {}) const;
   /// What a C program prints on the simulated machine, linked with the firmware's runtime.
   [[nodiscard]] Finished execute(const std::string& source_path, const std::string& level) const;
+  /// The same of what is compiled already. Exit code 3: it does not end in time.
+  [[nodiscard]] Finished execute_bir(const std::string& bir) const;
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
  private:

@@ -13,8 +13,8 @@ std::vector<std::string> all_programs() {
   std::vector<std::string> names;
   for (const auto& entry :
        fs::directory_iterator(fs::path(FINBACK_SOURCE_DIR) / "tests/compiler/programs"))
-    if (entry.path().extension() == ".c")
-      names.push_back(entry.path().stem().string());
+    if (entry.path().extension() == ".c" || entry.path().extension() == ".cpp")
+      names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -23,8 +23,9 @@ class Differential : public CompilerTest, public ::testing::WithParamInterface<s
 
 TEST_P(Differential, PrintsWhatTheHostPrints) {
   const std::string source =
-      std::string(FINBACK_SOURCE_DIR) + "/tests/compiler/programs/" + GetParam() + ".c";
-  const Finished built = run({FINBACK_HOST_CC, "-w", "-O1", "-o", "host", source});
+      std::string(FINBACK_SOURCE_DIR) + "/tests/compiler/programs/" + GetParam();
+  const char* host = GetParam().ends_with(".cpp") ? FINBACK_HOST_CXX : FINBACK_HOST_CC;
+  const Finished built = run({host, "-w", "-O1", "-o", "host", source});
   ASSERT_EQ(built.exit_code, 0) << built.err;
   const Finished wanted = run({"./host"});
   ASSERT_EQ(wanted.exit_code, 0);
@@ -37,7 +38,9 @@ TEST_P(Differential, PrintsWhatTheHostPrints) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, Differential, ::testing::ValuesIn(all_programs()),
-                         [](const auto& program) { return program.param; });
+                         [](const auto& program) {
+                           return program.param.substr(0, program.param.find('.'));
+                         });
 
 TEST(DifferentialPrograms, AreAtLeastFifty) { EXPECT_GE(all_programs().size(), 50U); }
 

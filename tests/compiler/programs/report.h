@@ -7,7 +7,11 @@
 #define CONSOLE (*(volatile unsigned *)0xFFC0F01Cu)
 static inline void report_char(char c) { CONSOLE = (unsigned char)c; }
 #else
-int putchar(int);
+#ifdef __cplusplus
+extern "C"
+#endif
+    int
+    putchar(int);
 static inline void report_char(char c) { putchar(c); }
 #endif
 

@@ -1,0 +1,65 @@
+// Random C programs by csmith, compiled for a 32-bit host and, at every level, by finback-cc, print
+// the same checksum. csmith makes programs of defined behaviour, but for some that never end.
+//
+// The fields of its packed structures have their addresses taken, which is undefined: those are
+// left out (wide_bit_fields.c has packed ones).
+#include <algorithm>
+#include <cstdlib>
+
+#include "compiler_fixture.hpp"
+
+namespace finback::compiler {
+namespace {
+
+// 300 programs; FINBACK_RANDOM_C asks for more (CONTRIBUTING.md).
+constexpr long kPrograms = 300;
+constexpr int kBatches = 30;
+constexpr int kFirstSeed = 1;
+constexpr int kDoesNotEnd = 3;
+constexpr const char* kCsmithHeaders = "/usr/include/csmith";
+
+class RandomC : public CompilerTest, public ::testing::WithParamInterface<int> {
+ protected:
+  /// False: the program does not end.
+  bool compare(int seed) const {
+    const Finished made = run({"csmith", "--seed", std::to_string(seed), "--no-argc",
+                               "--no-packed-struct", "--max-funcs", "5", "--max-block-depth", "3",
+                               "--max-block-size", "4", "--max-expr-complexity", "8"});
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    write("random.c", made.out);
+    const std::string headers = std::string(FINBACK_SOURCE_DIR) + "/tests/compiler/random";
+    const Finished built = run({FINBACK_HOST_CC, "-m32", "-w", "-O1", "-I", headers, "-I",
+                                kCsmithHeaders, "-o", "host", "random.c"});
+    EXPECT_EQ(built.exit_code, 0) << built.err;
+    // Nobody waits for one that runs for ever.
+    const Finished wanted = run({"timeout", "0.5", "./host"});
+    if (wanted.exit_code != 0)
+      return false;
+    for (const char* level : {"0", "1", "2", "3", "s"}) {
+      const Finished compiled = cc({std::string("-O") + level, "-W", "no-everything", "-I", headers,
+                                    "-I", kCsmithHeaders, "random.c"});
+      EXPECT_EQ(compiled.exit_code, 0) << "seed " << seed << " -O" << level << compiled.err;
+      const Finished got = execute_bir("random.bir");
+      if (got.exit_code == kDoesNotEnd)
+        return false;  // for the host it took less than half a second
+      EXPECT_EQ(got.exit_code, 0) << "seed " << seed << " -O" << level << ": " << got.err;
+      EXPECT_EQ(got.out, wanted.out) << "seed " << seed << " -O" << level;
+    }
+    return true;
+  }
+};
+
+TEST_P(RandomC, PrintsWhatTheHostPrints) {
+  const char* wanted = std::getenv("FINBACK_RANDOM_C");
+  const long all = std::max(wanted == nullptr ? 0 : std::strtol(wanted, nullptr, 10), kPrograms);
+  const int programs = static_cast<int>(all / kBatches);
+  int compared = 0;
+  for (int i = 0; i < programs && !HasFailure(); ++i)
+    compared += compare(kFirstSeed + GetParam() * programs + i) ? 1 : 0;
+  EXPECT_GE(compared, programs / 2) << "most of them do not end";
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomC, ::testing::Range(0, kBatches));
+
+}  // namespace
+}  // namespace finback::compiler
