@@ -9,10 +9,11 @@ namespace finback::kernels {
 
 namespace {
 
-std::string object_name(std::size_t number) { return fmt::format("_buffer{}", number); }
+std::string object_name(const std::string& number) { return "_buffer" + number; }
+std::string object_name(std::size_t number) { return object_name(std::to_string(number)); }
 
-std::string read_kernel(const std::string& kernel) {
-  const std::string text = read_text_file(std::string(FINBACK_KERNELS) + "/" + kernel + ".bir");
+std::string read_kernel(const std::string& folder, const std::string& kernel) {
+  const std::string text = read_text_file(folder + "/" + kernel + ".bir");
   return text.substr(text.find('\n') + 1);  // the harness writes the head line
 }
 
@@ -29,6 +30,20 @@ std::string load(const std::string& reg, const std::string& value) {
   return fmt::format("{0}.L = {1};\n{0}.H = {2};\n", reg, half(0), half(16));
 }
 
+// Little-endian values of type T.
+template <typename T>
+std::vector<T> values(const Bytes& bytes) {
+  std::vector<T> all;
+  for (std::size_t i = 0; i + sizeof(T) <= bytes.size(); i += sizeof(T)) {
+    std::uint32_t value = 0;
+    for (std::size_t k = 0; k < sizeof(T); ++k) {
+      value |= static_cast<std::uint32_t>(bytes[i + k]) << (8 * k);
+    }
+    all.push_back(static_cast<T>(value));
+  }
+  return all;
+}
+
 // What a C function keeps, each with a value of its own.
 constexpr isa::Register kKept[] = {isa::R4, isa::R5, isa::P3, isa::P4, isa::P5};
 std::uint32_t kept_value(isa::Register reg) { return 0x4b00u + static_cast<std::uint32_t>(reg); }
@@ -40,13 +55,28 @@ KernelCall& KernelCall::number(std::int64_t value) {
   return *this;
 }
 
-KernelCall& KernelCall::buffer(const Halves& values) {
-  argument(object_name(objects_.size()));
-  return hidden_buffer(values);
+void KernelCall::next_argument(std::size_t bytes) {
+  const std::string name = object_name(objects_.size());
+  argument(bytes == 0 ? name : fmt::format("{} + {}", name, bytes));
+}
+
+KernelCall& KernelCall::buffer(const Halves& values) { return inside(values, 0); }
+
+KernelCall& KernelCall::buffer(const Bytes& values) { return inside(values, 0); }
+
+KernelCall& KernelCall::buffer(const Words& values) {
+  next_argument(0);
+  objects_.push_back(fmt::format(".byte4 {}\n", fmt::join(values, ", ")));
+  return *this;
 }
 
 KernelCall& KernelCall::inside(const Halves& values, std::size_t bytes) {
-  argument(fmt::format("{} + {}", object_name(objects_.size()), bytes));
+  next_argument(bytes);
+  return hidden_buffer(values);
+}
+
+KernelCall& KernelCall::inside(const Bytes& values, std::size_t bytes) {
+  next_argument(bytes);
   return hidden_buffer(values);
 }
 
@@ -55,12 +85,16 @@ KernelCall& KernelCall::hidden_buffer(const Halves& values) {
   return *this;
 }
 
+KernelCall& KernelCall::hidden_buffer(const Bytes& values) {
+  objects_.push_back(fmt::format(".byte {}\n", fmt::join(values, ", ")));
+  return *this;
+}
+
 KernelCall& KernelCall::record(const std::vector<std::string>& words) {
   argument(object_name(objects_.size()));
   std::string lines;
   for (const std::string& word : words) {
-    lines +=
-        ".byte4 " + (word.starts_with('@') ? object_name(std::stoul(word.substr(1))) : word) + "\n";
+    lines += ".byte4 " + (word.starts_with('@') ? object_name(word.substr(1)) : word) + "\n";
   }
   objects_.push_back(lines);
   return *this;
@@ -92,7 +126,7 @@ std::string KernelCall::caller() const {
 
 core::CoreHarness& KernelCall::harness() {
   if (!harness_) {
-    std::string text = core::program(caller()) + read_kernel(kernel_) + ".data\n";
+    std::string text = core::program(caller()) + read_kernel(folder_, kernel_) + ".data\n";
     for (std::size_t i = 0; i < objects_.size(); ++i) {
       text += fmt::format(".align {0}\n.type {1}, @object\n{1}:\n{2}", alignment_, object_name(i),
                           objects_[i]);
@@ -119,18 +153,19 @@ Cycles KernelCall::run() {
 
 std::uint32_t KernelCall::result() { return harness().reg(isa::R0); }
 
-Halves KernelCall::halves(std::size_t buffer) {
+Bytes KernelCall::bytes(std::size_t buffer) {
   const std::string name = ir::c_name(object_name(buffer));
-  Halves values;
   for (const ir::PlacedObject& object : harness().image().objects) {
     if (object.name == name) {
-      const auto bytes = harness().memory().view_bytes(object.address, object.size);
-      for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
-        values.push_back(static_cast<std::int16_t>(bytes[i] | bytes[i + 1] << 8));
-      }
+      const auto view = harness().memory().view_bytes(object.address, object.size);
+      return {view.begin(), view.end()};
     }
   }
-  return values;
+  return {};
 }
+
+Halves KernelCall::halves(std::size_t buffer) { return values<std::int16_t>(bytes(buffer)); }
+
+Words KernelCall::words(std::size_t buffer) { return values<std::int32_t>(bytes(buffer)); }
 
 }  // namespace finback::kernels

@@ -1,4 +1,4 @@
-// One call of a kernel of benchmarks/kernels from a small program of its own, on one core.
+// One call of a kernel of benchmarks from a small program of its own, on one core.
 //
 // The caller is what a C compiler would write: arguments in R0, R1, R2 and on the stack, then CALL.
 // Its cycles are those between two reads of CYCLES around this: argument set-up, call, kernel and
@@ -15,23 +15,30 @@
 namespace finback::kernels {
 
 using Halves = std::vector<std::int16_t>;
+using Bytes = std::vector<std::uint8_t>;
+using Words = std::vector<std::int32_t>;
 
 class KernelCall {
  public:
-  // `kernel`: the function and its file, without "_" and ".bir".
-  explicit KernelCall(std::string kernel) : kernel_(std::move(kernel)) {}
+  // `kernel`: the function and its file in `folder`, without "_" and ".bir".
+  explicit KernelCall(std::string kernel, std::string folder = FINBACK_KERNELS)
+      : kernel_(std::move(kernel)), folder_(std::move(folder)) {}
 
   // The next argument, a number.
   KernelCall& number(std::int64_t value);
-  // The next argument: the address of these halves.
+  // The next argument: the address of these values.
   KernelCall& buffer(const Halves& values);
-  // The next argument: the address `bytes` into these halves.
+  KernelCall& buffer(const Bytes& values);
+  KernelCall& buffer(const Words& values);
+  // The next argument: the address `bytes` into these values.
   KernelCall& inside(const Halves& values, std::size_t bytes);
-  // The next argument: the address of `words`, each a number or "@N", the address of buffer N,
-  // which may be one of those that are no arguments.
+  KernelCall& inside(const Bytes& values, std::size_t bytes);
+  // The next argument: the address of `words`, each a number or "@N" or "@N + bytes", an
+  // address in buffer N, which may be one of those that are no arguments.
   KernelCall& record(const std::vector<std::string>& words);
   // A buffer that is no argument.
   KernelCall& hidden_buffer(const Halves& values);
+  KernelCall& hidden_buffer(const Bytes& values);
   // Lets all buffers begin in one sub-bank.
   KernelCall& crowded();
 
@@ -44,13 +51,17 @@ class KernelCall {
   // After run().
   [[nodiscard]] std::uint32_t result();
   [[nodiscard]] Halves halves(std::size_t buffer);
+  [[nodiscard]] Bytes bytes(std::size_t buffer);
+  [[nodiscard]] Words words(std::size_t buffer);
 
  private:
   void argument(const std::string& value);
+  void next_argument(std::size_t bytes);  // `bytes` into the buffer that follows
   [[nodiscard]] core::CoreHarness& harness();
   [[nodiscard]] std::string caller() const;
 
   std::string kernel_;
+  std::string folder_;
   std::vector<std::string> arguments_;
   std::vector<std::string> objects_;            // the lines of each, from its label on
   std::size_t alignment_ = 4096;                // a sub-bank each

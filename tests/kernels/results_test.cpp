@@ -68,8 +68,8 @@ TEST(Kernels, FirKeepsItsLastSamplesForTheNextCall) {
 
 TEST(Kernels, FirOfNothingTouchesNothing) {
   KernelCall call("fir_fr16");
-  call.buffer({7, 7}).buffer({1, 1}).number(0).record({"@3", "@4", "@4", "2"});
-  call.hidden_buffer({5, 5}).hidden_buffer(Halves(4));
+  call.buffer(Halves{7, 7}).buffer(Halves{1, 1}).number(0).record({"@3", "@4", "@4", "2"});
+  call.hidden_buffer(Halves{5, 5}).hidden_buffer(Halves(4));
   call.run();
   EXPECT_EQ(call.halves(1), (Halves{1, 1}));
 }
@@ -156,7 +156,7 @@ TEST(Kernels, VarianceIsThatOfTheFormula) {
 
 TEST(Kernels, NothingHasTheLargestTheMeanAndTheVarianceZero) {
   for (const char* kernel : {"vecmax_fr16", "mean_fr16", "var_fr16"}) {
-    EXPECT_EQ(result_of(KernelCall(kernel).buffer({7}).number(0)), 0) << kernel;
+    EXPECT_EQ(result_of(KernelCall(kernel).buffer(Halves{7}).number(0)), 0) << kernel;
   }
 }
 
