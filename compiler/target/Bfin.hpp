@@ -22,6 +22,8 @@ void initializeBfinTarget();
 FunctionPass* createBfinISelDag(BfinTargetMachine& machine, CodeGenOptLevel level);
 /// Decides which loops of the machine code run on LC0 and LC1; turns the others into count downs.
 FunctionPass* createBfinHardwareLoops();
+/// passes/BfinAccumulators.cpp
+FunctionPass* createBfinAccumulators();
 /// Gives every virtual register its bank, data or pointer, where the copies cost least.
 FunctionPass* createBfinBankSelect();
 /// Spares the zero before each count of ones in a loop.

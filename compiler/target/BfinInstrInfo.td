@@ -238,6 +238,20 @@ let Constraints = "$old = $rd", ReadsEarly = true in {
 }
 def : Pat<(ctpop D:$ra), (ONES (MOVI 0), D:$ra)>;
 
+// Sums in the accumulators (BfinAccumulators): of products of low halves, and their low words.
+foreach i = 0-1 in {
+  defvar accumulator = !cast<Register>("A"#i);
+  let Defs = [accumulator] in
+  def CLRA#i : Dsp<(outs), (ins), "A"#i#" = 0">;
+  let Defs = [accumulator], Uses = [accumulator] in {
+    def SETA#i : BfinInst<2, (outs), (ins D:$ra), "A"#i#".W = $ra">;
+    let ReadsEarly = true in
+    def MACIS#i : Dsp<(outs), (ins D:$ra, D:$rb), "A"#i#" += ${ra}.L * ${rb}.L (IS)">;
+  }
+  let Uses = [accumulator] in
+  def GETA#i : BfinInst<2, (outs D:$rd), (ins), "$rd = A"#i#".W">;
+}
+
 //===-- Conditions ---------------------------------------------------------------------------------===//
 foreach number = 0-2 in {
   def cmp_imm_#number : ImmLeaf<i32, [{ return isInt<3>(Imm); }]>;

@@ -75,6 +75,7 @@ class BfinPassConfig : public TargetPassConfig {
 
   void addMachineSSAOptimization() override {
     addPass(createBfinHardwareLoops());
+    addPass(createBfinAccumulators());
     addPass(createBfinBankSelect());
     addPass(createBfinKeptHalves());
     TargetPassConfig::addMachineSSAOptimization();

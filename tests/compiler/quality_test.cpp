@@ -26,6 +26,39 @@ TEST_F(Quality, NestedLoopsUseBothCounters) {
   EXPECT_EQ(count(body, "JUMP"), 0) << body;
 }
 
+TEST_F(Quality, SumsOfProductsLiveInAccumulators) {
+  const std::string body = function_of(
+      compile("int f(const short *x, const short *y, int n) {\n  int s = 0, t = 0;\n"
+              "  for (int i = 0; i < n; i++) {\n    s += x[i] * y[i];\n    t += y[i] * y[i];\n  }\n"
+              "  return s ^ t;\n}\n"),
+      "f");
+  EXPECT_EQ(count(body, "A0 +="), 1) << body;
+  EXPECT_EQ(count(body, "A1 +="), 1) << body;
+}
+
+// The accumulator saturates where C wraps, and a handler would have to save it.
+TEST_F(Quality, SumsThatWrapAndHandlersKeepOffTheAccumulators) {
+  const std::string text = compile(
+      "#include <finback/blackfin.h>\nextern short a[], b[];\nextern volatile int out;\n"
+      "unsigned wrap(int n) {\n  unsigned s = 0;\n"
+      "  for (int i = 0; i < n; i++) s += (unsigned)(a[i] * b[i]);\n  return s;\n}\n"
+      "FINBACK_INTERRUPT void handler(void) {\n  int s = 0;\n"
+      "  for (int i = 0; i < 9; i++) s += a[i] * b[i];\n  out = s;\n}\n");
+  EXPECT_EQ(count(function_of(text, "wrap"), "A0"), 0) << text;
+  EXPECT_EQ(count(function_of(text, "handler"), "A0"), 0) << text;
+}
+
+TEST_F(Quality, SwitchesOfEightJumpThroughATable) {
+  const std::string text = compile(
+      "int g(int);\nint f(int n) {\n  switch (n) {\n    case 0: return g(1);\n    case 1: return "
+      "n;\n"
+      "    case 2: return g(9);\n    case 3: return -n;\n    case 4: return g(7);\n"
+      "    case 5: return n * n;\n    case 6: return g(2);\n    case 7: return ~n;\n  }\n"
+      "  return 0;\n}\n");
+  EXPECT_EQ(count(function_of(text, "f"), "JUMP (P"), 1) << text;
+  EXPECT_EQ(count(text, ".type _f.jumps0, @object"), 1) << text;
+}
+
 TEST_F(Quality, LoopsWithCallsKeepOffTheCounters) {
   const std::string body = function_of(
       compile("void g(int);\nvoid f(int n) {\n  for (int i = 0; i < n; i++) g(i);\n}\n"), "f");
