@@ -3,24 +3,27 @@
  * dividend. */
 #include <stdint.h>
 
+#include "machine.h"
+
 struct division {
   uint32_t quotient;
   uint32_t remainder;
 };
 
-/* One bit of the quotient a step, the highest first. */
-static struct division divide(uint32_t dividend, uint32_t divisor) {
-  struct division result = {dividend, 0};
-  for (int bit = 0; bit < 32; ++bit) {
-    uint32_t shifted_out = result.remainder >> 31;
-    result.remainder = result.remainder << 1 | result.quotient >> 31;
-    result.quotient <<= 1;
-    if (shifted_out != 0 || result.remainder >= divisor) {
-      result.remainder -= divisor;
-      result.quotient |= 1;
-    }
+static inline struct division divide(uint32_t dividend, uint32_t divisor) {
+  if (dividend < divisor) {
+    return (struct division){0, dividend};
   }
-  return result;
+  if ((int32_t)divisor < 2) {
+    return divisor == 0   ? (struct division){UINT32_MAX, dividend}
+           : divisor == 1 ? (struct division){dividend, 0}
+                          : (struct division){1, dividend - divisor};
+  }
+  /* The steps begin where the quotient's first bit can be. */
+  int steps = leading_zeros_32(divisor) - leading_zeros_32(dividend) + 1;
+  uint32_t remainder = dividend >> steps;
+  uint32_t quotient = divide_steps(&remainder, dividend << (32 - steps), divisor, steps);
+  return (struct division){quotient, remainder};
 }
 
 static uint32_t magnitude(int32_t value) {

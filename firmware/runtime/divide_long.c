@@ -2,14 +2,23 @@
  * dividend, as with 32 bits. */
 #include <stdint.h>
 
+#include "machine.h"
+
 struct division {
   uint64_t quotient;
   uint64_t remainder;
 };
 
-static int leading_zeros(uint64_t value) {
-  uint32_t high = (uint32_t)(value >> 32);
-  return high != 0 ? __builtin_clz(high) : 32 + __builtin_clz((uint32_t)value);
+/* By less than 2^31: word by word. */
+static struct division divide_by_word(uint64_t dividend, uint32_t divisor) {
+  uint32_t remainder = (uint32_t)(dividend >> 32);
+  uint32_t high = 0;
+  if (remainder >= divisor) {
+    high = remainder / divisor;
+    remainder -= high * divisor;
+  }
+  uint32_t low = divide_steps(&remainder, (uint32_t)dividend, divisor, 32);
+  return (struct division){(uint64_t)high << 32 | low, remainder};
 }
 
 static struct division divide(uint64_t dividend, uint64_t divisor) {
@@ -23,8 +32,11 @@ static struct division divide(uint64_t dividend, uint64_t divisor) {
     uint32_t quotient = (uint32_t)dividend / (uint32_t)divisor;
     return (struct division){quotient, (uint32_t)dividend - quotient * (uint32_t)divisor};
   }
+  if (divisor >> 31 == 0) {
+    return divide_by_word(dividend, (uint32_t)divisor);
+  }
   /* One bit of the quotient a step, from the first that can be 1. */
-  int steps = leading_zeros(divisor) - leading_zeros(dividend) + 1;
+  int steps = leading_zeros_64(divisor) - leading_zeros_64(dividend) + 1;
   divisor <<= steps - 1;
   uint64_t quotient = 0;
   for (; steps != 0; --steps) {

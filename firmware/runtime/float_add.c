@@ -4,6 +4,4 @@
 
 real_t __addsf3(real_t a, real_t b) { return float_of(add_bits(bits_of(a), bits_of(b))); }
 
-real_t __subsf3(real_t a, real_t b) {
-  return float_of(add_bits(bits_of(a), bits_of(b) ^ SIGN_BIT));
-}
+real_t __subsf3(real_t a, real_t b) { return __addsf3(a, float_of(bits_of(b) ^ SIGN_BIT)); }

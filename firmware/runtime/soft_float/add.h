@@ -26,10 +26,10 @@ static inline bits_t add_special(bits_t a, bits_t b) {
 static inline bits_t significand_to_add(bits_t magnitude, int* exponent) {
   *exponent = exponent_of(magnitude);
   bits_t significand = magnitude & (HIDDEN_BIT - 1);
-  if (*exponent != 0) {
-    significand |= HIDDEN_BIT;
-  } else {
+  if (RARELY(*exponent == 0)) {
     *exponent = 1;
+  } else {
+    significand |= HIDDEN_BIT;
   }
   return significand << EXTRA_BITS;
 }

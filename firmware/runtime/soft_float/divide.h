@@ -19,6 +19,35 @@ static inline bits_t divide_special(bits_t sign, bits_t a, bits_t b) {
   return a_magnitude == INFINITE_BITS || b_magnitude == 0 ? sign | INFINITE_BITS : sign;
 }
 
+/* The quotient's FRACTION_BITS + EXTRA_BITS bits behind the first, of normalised significands. */
+#if FLOAT_BITS == 32
+static inline bits_t further_quotient(bits_t* remainder, bits_t divisor) {
+  return divide_steps(remainder, 0, divisor, FRACTION_BITS + EXTRA_BITS);
+}
+#else
+/* Some bits of it, at most 28. The upper 31 bits of the divisor, plus one, give them, or a little
+ * less: the missing part is below 2^-30 of the whole, so that one or two is all that can be short.
+ */
+static inline bits_t quotient_digit(bits_t* remainder, bits_t divisor, int bits) {
+  const int lower = FRACTION_BITS + 1 - 31;
+  uint32_t upper = (uint32_t)(*remainder >> lower);
+  uint32_t next = (uint32_t)*remainder << (32 - lower);
+  uint32_t digit = divide_steps(&upper, next, (uint32_t)(divisor >> lower) + 1, bits);
+  /* Correct in 64 bits, though not all of the products' bits are there. */
+  *remainder = (*remainder << bits) - digit * divisor;
+  while (*remainder >= divisor) {
+    *remainder -= divisor;
+    ++digit;
+  }
+  return digit;
+}
+
+static inline bits_t further_quotient(bits_t* remainder, bits_t divisor) {
+  bits_t first = quotient_digit(remainder, divisor, 28);
+  return first << 27 | quotient_digit(remainder, divisor, FRACTION_BITS + EXTRA_BITS - 28);
+}
+#endif
+
 static inline bits_t divide_bits(bits_t a, bits_t b) {
   bits_t sign = sign_of(a ^ b);
   if (is_special(magnitude_of(a)) || is_special(magnitude_of(b))) {
@@ -33,17 +62,8 @@ static inline bits_t divide_bits(bits_t a, bits_t b) {
     remainder <<= 1;
     --exponent;
   }
-  /* The quotient's first bit is 1; each further step gives one more. */
-  remainder -= divisor;
-  bits_t quotient = 1;
-  for (int bit = 0; bit < FRACTION_BITS + EXTRA_BITS; ++bit) {
-    remainder <<= 1;
-    quotient <<= 1;
-    if (remainder >= divisor) {
-      remainder -= divisor;
-      quotient |= 1;
-    }
-  }
+  remainder -= divisor; /* the quotient's first bit is 1 */
+  bits_t quotient = HIDDEN_BIT << EXTRA_BITS | further_quotient(&remainder, divisor);
   return round_and_pack(sign, exponent, quotient | (remainder != 0));
 }
 

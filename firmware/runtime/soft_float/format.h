@@ -7,6 +7,8 @@
 
 #include <stdint.h>
 
+#include "../machine.h"
+
 #if FLOAT_BITS == 32
 typedef float real_t;
 typedef uint32_t bits_t;
@@ -28,6 +30,9 @@ typedef uint64_t bits_t;
 /* Significands on their way have three bits more: half, quarter, and whether anything lies below.
  */
 #define EXTRA_BITS 3
+
+/* What the compiler shall keep off the straight way. */
+#define RARELY(condition) (__builtin_expect((condition), 0) != 0)
 
 static inline bits_t bits_of(real_t value) {
   union {
@@ -52,20 +57,21 @@ static inline bits_t sign_of(bits_t bits) { return bits & SIGN_BIT; }
 static inline int exponent_of(bits_t magnitude) { return (int)(magnitude >> FRACTION_BITS); }
 
 /* Zero, infinite or no number: what the ordinary way does not handle. */
-static inline int is_special(bits_t magnitude) { return magnitude - 1 >= INFINITE_BITS - 1; }
+static inline int is_special(bits_t magnitude) {
+  return RARELY(magnitude - 1 >= INFINITE_BITS - 1);
+}
 
 static inline int leading_zeros(bits_t bits) {
 #if FLOAT_BITS == 32
-  return __builtin_clz(bits);
+  return leading_zeros_32(bits);
 #else
-  uint32_t high = (uint32_t)(bits >> 32);
-  return high != 0 ? __builtin_clz(high) : 32 + __builtin_clz((uint32_t)bits);
+  return leading_zeros_64(bits);
 #endif
 }
 
 /* Shifts right; the lowest bit of the result says as well whether a bit was lost. */
 static inline bits_t shift_right_sticky(bits_t bits, int places) {
-  if (places >= FLOAT_BITS) {
+  if (RARELY(places >= FLOAT_BITS)) {
     return bits != 0;
   }
   bits_t shifted = bits >> places;
@@ -76,22 +82,22 @@ static inline bits_t shift_right_sticky(bits_t bits, int places) {
  * subnormal ones there and lowers their exponent below 1. */
 static inline bits_t normalised_significand(bits_t magnitude, int* exponent) {
   *exponent = exponent_of(magnitude);
-  if (*exponent != 0) {
-    return (magnitude & (HIDDEN_BIT - 1)) | HIDDEN_BIT;
+  if (RARELY(*exponent == 0)) {
+    int shift = leading_zeros(magnitude) - (FLOAT_BITS - 1 - FRACTION_BITS);
+    *exponent = 1 - shift;
+    return magnitude << shift;
   }
-  int shift = leading_zeros(magnitude) - (FLOAT_BITS - 1 - FRACTION_BITS);
-  *exponent = 1 - shift;
-  return magnitude << shift;
+  return (magnitude & (HIDDEN_BIT - 1)) | HIDDEN_BIT;
 }
 
 /* Rounds and packs a significand with its hidden bit at FRACTION_BITS + EXTRA_BITS (lower only
  * where the exponent is 1). Too small an exponent gives a subnormal number, too large a one
  * infinity. */
 static inline bits_t round_and_pack(bits_t sign, int exponent, bits_t significand) {
-  if (exponent >= EXPONENT_MAX) {
+  if (RARELY(exponent >= EXPONENT_MAX)) {
     return sign | INFINITE_BITS;
   }
-  if (exponent <= 0) {
+  if (RARELY(exponent <= 0)) {
     significand = shift_right_sticky(significand, 1 - exponent);
     exponent = 1;
   }

@@ -25,7 +25,7 @@ static inline bits_t from_uint32(bits_t sign, uint32_t magnitude) {
     return 0;
   }
   /* Always exact: the first bit goes to the hidden one's place and adds one to the exponent. */
-  int shift = __builtin_clz(magnitude);
+  int shift = leading_zeros_32(magnitude);
   bits_t significand = (bits_t)(magnitude << shift) << (FRACTION_BITS - 31);
   return sign | (((bits_t)(EXPONENT_BIAS + 30 - shift) << FRACTION_BITS) + significand);
 #endif
@@ -38,7 +38,7 @@ static inline bits_t from_uint64(bits_t sign, uint64_t magnitude) {
     return from_magnitude(sign, (uint32_t)magnitude);
   }
   /* The upper 32 significant bits, the lowest of which speaks for all below. */
-  int shift = __builtin_clz(high);
+  int shift = leading_zeros_32(high);
   magnitude <<= shift;
   bits_t upper = (uint32_t)(magnitude >> 32) | ((uint32_t)magnitude != 0);
   return from_magnitude(sign, upper) + ((bits_t)(32 - shift) << FRACTION_BITS);
