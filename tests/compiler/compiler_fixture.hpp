@@ -15,6 +15,9 @@ struct Finished {
   std::string err;
 };
 
+/// Which unit of the runtime memcpy and the like come from.
+enum class Copying { plain, fast };
+
 class CompilerTest : public ::testing::Test {
  protected:
   CompilerTest();
@@ -31,9 +34,11 @@ class CompilerTest : public ::testing::Test {
   [[nodiscard]] std::string compile(std::string_view text,
                                     const std::vector<std::string>& options = {}) const;
   /// What a C program prints on the simulated machine, linked with the firmware's runtime.
-  [[nodiscard]] Finished execute(const std::string& source_path, const std::string& level) const;
+  [[nodiscard]] Finished execute(const std::string& source_path, const std::string& level,
+                                 Copying copying = Copying::plain) const;
   /// The same of what is compiled already. Exit code 3: it does not end in time.
-  [[nodiscard]] Finished execute_bir(const std::string& bir) const;
+  [[nodiscard]] Finished execute_bir(const std::string& bir,
+                                     Copying copying = Copying::plain) const;
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
  private:

@@ -62,6 +62,16 @@ TEST_F(Runtime, WhatIsNotThereIsNamedWhenItIsLinked) {
       << finished.err;
 }
 
+TEST_F(Runtime, BothUnitsThatCopyDoTheSame) {
+  const std::string source = std::string(FINBACK_SOURCE_DIR) + "/tests/compiler/programs/copies.c";
+  const Finished plain = execute(source, "2");
+  const Finished fast = execute(source, "2", Copying::fast);
+  EXPECT_EQ(plain.exit_code, 0) << plain.err;
+  EXPECT_EQ(fast.exit_code, 0) << fast.err;
+  EXPECT_EQ(fast.out, plain.out);
+  EXPECT_NE(fast.err, plain.err);  // other code: other cycles
+}
+
 TEST_F(Runtime, ArithmeticOfFloatsIsACallEach) {
   const std::string bir = compile(
       "float f(float a, float b) { return a * b + 1; }\n"
