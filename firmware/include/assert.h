@@ -10,9 +10,17 @@
 #ifndef FINBACK_ASSERT_H
 #define FINBACK_ASSERT_H
 
+#ifdef __cplusplus
+extern "C" {
+#else
 #define static_assert _Static_assert
+#endif
 
 _Noreturn void assertion_failed(const char* condition, const char* file, unsigned line,
                                 const char* function);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -3,9 +3,17 @@
 #ifndef FINBACK_SETJMP_H
 #define FINBACK_SETJMP_H
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef unsigned jmp_buf[10];
 
 int setjmp(jmp_buf place) __attribute__((returns_twice));
 _Noreturn void longjmp(jmp_buf place, int value);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -8,18 +8,26 @@
 #include <stdarg.h>
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define EOF (-1)
 
 /* print.c */
-int printf(const char* restrict format, ...) __attribute__((format(printf, 1, 2)));
-int vprintf(const char* restrict format, va_list values) __attribute__((format(printf, 1, 0)));
-int sprintf(char* restrict text, const char* restrict format, ...)
+int printf(const char* __restrict format, ...) __attribute__((format(printf, 1, 2)));
+int vprintf(const char* __restrict format, va_list values) __attribute__((format(printf, 1, 0)));
+int sprintf(char* __restrict text, const char* __restrict format, ...)
     __attribute__((format(printf, 2, 3)));
-int snprintf(char* restrict text, size_t size, const char* restrict format, ...)
+int snprintf(char* __restrict text, size_t size, const char* __restrict format, ...)
     __attribute__((format(printf, 3, 4)));
-int vsnprintf(char* restrict text, size_t size, const char* restrict format, va_list values)
+int vsnprintf(char* __restrict text, size_t size, const char* __restrict format, va_list values)
     __attribute__((format(printf, 3, 0)));
 int putchar(int character);
 int puts(const char* text);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -4,6 +4,10 @@
 
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define EXIT_SUCCESS 0
 #define EXIT_FAILURE 1
 #define RAND_MAX 0x7FFF
@@ -20,8 +24,8 @@ long long llabs(long long value);
 div_t div(int dividend, int divisor);
 int atoi(const char* text);
 long atol(const char* text);
-long strtol(const char* restrict text, char** restrict end, int base);
-unsigned long strtoul(const char* restrict text, char** restrict end, int base);
+long strtol(const char* __restrict text, char** __restrict end, int base);
+unsigned long strtoul(const char* __restrict text, char** __restrict end, int base);
 
 /* random.c: the same numbers in every run. */
 int rand(void);
@@ -32,7 +36,7 @@ void qsort(void* base, size_t count, size_t size, int (*compare)(const void*, co
 void* bsearch(const void* key, const void* base, size_t count, size_t size,
               int (*compare)(const void*, const void*));
 
-/* heap.c: 8 KB, unless a unit writes HEAP(bytes); outside all functions. What is given out is
+/* heap.c: 8 KB, unless a unit in C writes HEAP(bytes); outside all functions. What is given out is
  * aligned to 8 bytes. Both cores of a firmware have a heap of their own. */
 void* malloc(size_t bytes);
 void* calloc(size_t count, size_t size);
@@ -46,5 +50,9 @@ void free(void* memory);
 /* exit.c: the whole machine stops; abort() gives the status 134. */
 _Noreturn void exit(int status);
 _Noreturn void abort(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

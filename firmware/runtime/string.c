@@ -1,5 +1,6 @@
-/* string.h but for what moves memory (memory.c). strlen, strcmp and strcpy look at four characters
- * at a time where the alignment allows: a word read whole lies within memory that is there. */
+/* string.h but for what moves memory (memory.c). strlen, strcpy, strcmp, memcmp and memchr look at
+ * four characters at a time where the alignment allows: a word read whole lies within memory that
+ * is there. */
 #include <stdint.h>
 #include <string.h>
 
@@ -124,9 +125,20 @@ int memcmp(const void* one, const void* other, size_t bytes) {
   return 0;
 }
 
-void* memchr(const void* memory, int value, size_t bytes) {
-  for (const unsigned char* at = memory; bytes != 0; --bytes, ++at) {
-    if (*at == (unsigned char)value) {
+READS_WHOLE_WORDS void* memchr(const void* memory, int value, size_t bytes) {
+  const unsigned char* at = memory;
+  const unsigned char wanted = (unsigned char)value;
+  for (; bytes != 0 && !is_aligned(at); --bytes, ++at) {
+    if (*at == wanted) {
+      return (void*)at;
+    }
+  }
+  const word_t* words = (const word_t*)at;
+  for (; bytes >= 4 && zero_byte(*words ^ wanted * 0x01010101u) == 0; bytes -= 4) {
+    ++words;
+  }
+  for (at = (const unsigned char*)words; bytes != 0; --bytes, ++at) {
+    if (*at == wanted) {
       return (void*)at;
     }
   }

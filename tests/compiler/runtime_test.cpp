@@ -1,5 +1,9 @@
 // The runtime as a program meets it, where the host's library does something else: ends of
 // programs, the heap's size, what is not there. And which operations on floats need no call.
+#include <fstream>
+#include <sstream>
+#include <vector>
+
 #include "compiler_fixture.hpp"
 
 namespace finback::compiler {
@@ -60,6 +64,51 @@ TEST_F(Runtime, WhatIsNotThereIsNamedWhenItIsLinked) {
   EXPECT_EQ(finished.exit_code, 2);
   EXPECT_NE(finished.err.find("refers to _sqrtf, which no unit"), std::string::npos)
       << finished.err;
+}
+
+TEST_F(Runtime, HeadersServeCppToo) {
+  write("program.cpp",
+        "#include <assert.h>\n#include <ctype.h>\n#include <setjmp.h>\n#include <stdio.h>\n"
+        "#include <stdlib.h>\n#include <string.h>\nstatic_assert(sizeof(long) == 4, \"\");\n"
+        "static jmp_buf place;\nint main() {\n  assert(strlen(\"abc\") == 3);\n"
+        "  if (setjmp(place) == 0) longjmp(place, 1);\n"
+        "  printf(\"%d %c %g\\n\", atoi(\"5\"), toupper('a'), 0.5);\n}\n");
+  const Finished finished = execute("program.cpp", "2");
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(finished.out, "5 A 0.5\n");
+}
+
+/// The numbers of a table's row that begins with `name`, as far as it has them.
+std::vector<double> row_of(const std::string& page, const std::string& name) {
+  const size_t at = page.find("\n| " + name + " |");
+  std::vector<double> numbers;
+  if (at == std::string::npos)
+    return numbers;
+  std::istringstream cells(page.substr(at + name.size() + 5, page.find('\n', at + 1) - at));
+  for (std::string cell; std::getline(cells, cell, '|') && cell.find('\n') == std::string::npos;)
+    if (cell.find_first_not_of(' ') != std::string::npos)
+      numbers.push_back(std::stod(cell));
+  return numbers;
+}
+
+TEST_F(Runtime, CostsWhatThePageSays) {
+  std::ostringstream page;
+  page << std::ifstream(std::string(FINBACK_SOURCE_DIR) + "/docs/runtime.md").rdbuf();
+  const std::string source = std::string(FINBACK_SOURCE_DIR) + "/tests/compiler/costs.c";
+  for (const Copying copying : {Copying::plain, Copying::fast}) {
+    const Finished finished = execute(source, "2", copying);
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_GE(count(finished.out, "\n"), 28);
+    std::istringstream lines(finished.out);
+    for (std::string line; std::getline(lines, line);) {
+      const std::string name = line.substr(2, line.rfind(" | ", line.size() - 4) - 2);
+      const std::vector<double> said = row_of(page.str(), name);
+      const std::vector<double> measured = row_of("\n" + line, name);
+      ASSERT_FALSE(said.empty() || measured.empty()) << line;
+      const double wanted = copying == Copying::fast ? said.back() : said.front();
+      EXPECT_NEAR(measured.front(), wanted, 0.15 * wanted) << line;
+    }
+  }
 }
 
 TEST_F(Runtime, BothUnitsThatCopyDoTheSame) {
