@@ -15,9 +15,13 @@ packages=(
   libsqlite3-dev gnuplot-nox
   # tests, benchmarks and checks
   libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy
-  # random C programs for the compiler, and a host whose long has 32 bits, too
-  csmith libcsmith-dev gcc-multilib
+  # random C programs for the compiler
+  csmith libcsmith-dev
 )
+# ... and a host compiler whose long has 32 bits, too, where there is one
+if [[ $(dpkg --print-architecture) == amd64 ]]; then
+  packages+=(gcc-multilib)
+fi
 
 missing=()
 for package in "${packages[@]}"; do
