@@ -32,7 +32,8 @@ struct Stack {
 template <class Function>
 int sum_over(Function function, int count) {
   int sum = 0;
-  for (int i = 0; i < count; ++i) sum += function(i);
+  for (int i = 0; i < count; ++i)
+    sum += function(i);
   return sum;
 }
 
@@ -51,7 +52,8 @@ int counter() {
 
 int sum_of(const int (&values)[3]) {
   int sum = 0;
-  for (int value : values) sum += value;
+  for (int value : values)
+    sum += value;
   return sum;
 }
 
@@ -75,7 +77,8 @@ int main() {
   }
   Shape* made = new Square(9);
   int* many = new int[12];
-  for (int i = 0; i < 12; ++i) many[i] = made->area() * i;
+  for (int i = 0; i < 12; ++i)
+    many[i] = made->area() * i;
   report("new", static_cast<unsigned>(many[11]));
   delete[] many;
   delete made;
