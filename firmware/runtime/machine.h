@@ -26,7 +26,8 @@ static inline int leading_zeros_64(uint64_t bits) {
 
 /* So many steps, 1 to 32, of a division by hand: each brings the dividend's next bit, the highest
  * first, down behind the remainder, and gives a bit of the quotient, which is returned. The
- * remainder is less than the divisor, which is at most 2^31. */
+ * dividend's bits beyond the steps are 0; the remainder is less than the divisor, which is at most
+ * 2^31. */
 static inline uint32_t divide_steps(uint32_t* remainder, uint32_t dividend, uint32_t divisor,
                                     int steps) {
 #ifdef __FINBACK__

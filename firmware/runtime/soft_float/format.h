@@ -27,8 +27,7 @@ typedef uint64_t bits_t;
 #define INFINITE_BITS ((bits_t)EXPONENT_MAX << FRACTION_BITS)
 #define QUIET_BIT (HIDDEN_BIT >> 1)
 #define NO_NUMBER (INFINITE_BITS | QUIET_BIT)
-/* Significands on their way have three bits more: half, quarter, and whether anything lies below.
- */
+/* Significands on their way have three bits more: half, quarter, and whether any is below. */
 #define EXTRA_BITS 3
 
 /* What the compiler shall keep off the straight way. */
