@@ -78,9 +78,11 @@ READS_WHOLE_WORDS int strcmp(const char* one, const char* other) {
   if (is_aligned(one) && is_aligned(other)) {
     const word_t* one_word = (const word_t*)one;
     const word_t* other_word = (const word_t*)other;
-    while (*one_word == *other_word && zero_byte(*one_word) == 0) {
-      ++one_word;
-      ++other_word;
+    word_t word = *one_word;
+    for (; word == *other_word; word = *++one_word, ++other_word) {
+      if (zero_byte(word) != 0) {
+        return 0;
+      }
     }
     one = (const char*)one_word;
     other = (const char*)other_word;
