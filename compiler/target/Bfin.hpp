@@ -22,8 +22,10 @@ void initializeBfinTarget();
 FunctionPass* createBfinISelDag(BfinTargetMachine& machine, CodeGenOptLevel level);
 /// Decides which loops of the machine code run on LC0 and LC1; turns the others into count downs.
 FunctionPass* createBfinHardwareLoops();
-/// passes/BfinAccumulators.cpp
+/// Keeps sums of products in A0 and A1 while their loop runs.
 FunctionPass* createBfinAccumulators();
+/// Loads for a loop's next pass at the end of the present one.
+FunctionPass* createBfinRotateLoops();
 /// Gives every virtual register its bank, data or pointer, where the copies cost least.
 FunctionPass* createBfinBankSelect();
 /// Spares the zero before each count of ones in a loop.

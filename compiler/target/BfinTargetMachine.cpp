@@ -76,6 +76,7 @@ class BfinPassConfig : public TargetPassConfig {
   void addMachineSSAOptimization() override {
     addPass(createBfinHardwareLoops());
     addPass(createBfinAccumulators());
+    addPass(createBfinRotateLoops());
     addPass(createBfinBankSelect());
     addPass(createBfinKeptHalves());
     TargetPassConfig::addMachineSSAOptimization();
