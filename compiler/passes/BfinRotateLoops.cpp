@@ -13,7 +13,6 @@
 #include <llvm/CodeGen/MachineInstrBuilder.h>
 #include <llvm/CodeGen/MachineRegisterInfo.h>
 #include <map>
-#include <set>
 
 #include "../target/Bfin.hpp"
 #include "../target/BfinInstrInfo.hpp"
@@ -252,9 +251,8 @@ void BfinRotateLoops::rotate(Loop& loop) {
   // What the loads found lives from one pass to the next.
   Registers found;
   for (const MachineInstr* load : loop.loads)
-    for (const MachineOperand& def : load->defs()) {
+    for (const MachineOperand& def : load->defs())
       found[def.getReg()] = alike(def.getReg());
-    }
   for (MachineInstr* inst : loop.rest)
     for (MachineOperand& use : inst->all_uses())
       if (found.count(use.getReg()) != 0) {
