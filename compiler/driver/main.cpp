@@ -128,6 +128,7 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_flag("-g", unused, "Source lines in the output (always on; accepted for scripts)");
   app.add_flag("-c", unused, "Compile only (always so; accepted for scripts)");
+  app.add_flag("-S", unused, "Write assembly (BIR is that; accepted for scripts)");
   app.add_flag("--emit-llvm", options.emit_llvm, "Write LLVM IR after the middle end instead");
   app.add_flag("--verify", options.verify, "Check the machine code between all passes (slow)");
   try {

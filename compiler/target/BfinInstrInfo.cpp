@@ -4,7 +4,9 @@
 #include <llvm/CodeGen/MachineFunction.h>
 #include <llvm/CodeGen/MachineInstrBuilder.h>
 #include <llvm/CodeGen/MachineMemOperand.h>
+#include <llvm/MC/MCAsmInfo.h>
 #include <llvm/Support/ErrorHandling.h>
+#include <llvm/Target/TargetMachine.h>
 
 #include "BfinSubtarget.hpp"
 
@@ -282,6 +284,9 @@ unsigned BfinInstrInfo::getInstSizeInBytes(const MachineInstr& inst) const {
     return 8;
   if (inst.isMetaInstruction())
     return 0;
+  if (inst.isInlineAsm())  // at most: a packet a statement
+    return getInlineAsmLength(inst.getOperand(0).getSymbolName(),
+                              *inst.getMF()->getTarget().getMCAsmInfo());
   if (Access access = displaced_access(inst.getOpcode()); access.size != 0)
     return access_bytes(inst, access);
   if (inst.getOpcode() == Bfin::MOVI || inst.getOpcode() == Bfin::MOVU)

@@ -33,6 +33,8 @@ BfinMCAsmInfo::BfinMCAsmInfo() {
   UsesELFSectionDirectiveForBSS = true;
   // Inline assembly goes into the text as it is; who loads it checks it.
   UseIntegratedAssembler = false;
+  MaxInstLength = 8;
+  SeparatorString = ";";
 }
 
 static MCAsmInfo* create_asm_info(const MCRegisterInfo&, const Triple&, const MCTargetOptions&) {

@@ -66,6 +66,20 @@ static int calls(int value) {
   return result + value;
 }
 
+/* A thousand bytes and more of it: branches across are far, and loops around are long. */
+#define TEN(text) text text text text text text text text text text
+static int across(int value) {
+  int sum = 0;
+  for (int i = 0; i < 3; i++) {
+    if (value & 1 << i) {
+      ON_MACHINE(__asm__ volatile(TEN(TEN("NOP; NOP; NOP; NOP; NOP; NOP; NOP;\n")) : : : "memory"),
+                 (void)0);
+      sum += value + i;
+    }
+  }
+  return sum;
+}
+
 int main(void) {
   static const int table[] = {1, 20, 3, 44};
   static const short shorts[] = {-3, 700, -30000, 5};
@@ -77,6 +91,7 @@ int main(void) {
   report("clobbers", clobbers(9, 4));
   report("sum", sum_of(shorts, 4));
   report("call", calls(21));
+  report("across", across(5));
   __asm__ volatile("" ::: "memory");
   __asm__("nop");
   return 0;
