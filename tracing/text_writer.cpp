@@ -88,7 +88,7 @@ void write_sums(report::Page& page, CoreId core, std::span<const Recorded> recor
 std::string describe(const TraceCost& cost, CoreId core, const Code& code) {
   std::string text =
       fmt::format("{} {}", cost.cycles, core::kCauseNames[static_cast<std::size_t>(cost.cause)]);
-  if (cost.reg != TraceCost::kNoRegister) {
+  if (cost.reg != core::kNoRegister) {
     text += fmt::format(" of {}", isa::register_name(static_cast<isa::Register>(cost.reg)));
   } else if (cost.address != 0) {
     text += fmt::format(" of {}", code.data(core, cost.address));

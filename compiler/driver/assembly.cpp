@@ -34,7 +34,9 @@ class Rewriter {
  private:
   std::string_view copy_word() {
     const size_t begin = at_;
-    while (at_ < text_.size() && is_word(text_[at_]))
+    // C++ writes 1'000 for 1000.
+    const bool number = std::isdigit(static_cast<unsigned char>(text_[begin])) != 0;
+    while (at_ < text_.size() && (is_word(text_[at_]) || (number && text_[at_] == '\'')))
       ++at_;
     const std::string_view word(text_.data() + begin, at_ - begin);
     out_ += word;

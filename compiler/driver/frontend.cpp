@@ -106,7 +106,8 @@ bool run_clang(std::vector<std::string> arguments, const std::string& input,
   return code == 0;
 }
 
-/// With its assembly in the form that clang takes; the lines are told by line markers.
+/// Where there is assembly: to `output`, with the assembly in the form that clang takes; the lines
+/// are told by line markers. False: clang has reported errors.
 bool preprocess(const std::string& input, std::vector<std::string> arguments,
                 const TemporaryFile& output, bool& has_assembly) {
   const TemporaryFile plain("i");
@@ -115,7 +116,8 @@ bool preprocess(const std::string& input, std::vector<std::string> arguments,
     return false;
   std::string text = plain.read()->getBuffer().str();
   has_assembly = rewrite_assembly(text);
-  std::ofstream(output.path(), std::ios::binary) << text;
+  if (has_assembly)
+    std::ofstream(output.path(), std::ios::binary) << text;
   return true;
 }
 

@@ -25,7 +25,7 @@ struct StaticCost {
   std::uint32_t packet = 0;
   Cause cause = Cause::issue;
   std::uint32_t cycles = 0;
-  int reg = -1;
+  int reg = kNoRegister;
 };
 
 struct Block {

@@ -55,7 +55,7 @@ struct PacketCost {
   Cycles issue = 1;
   Cycles stall = 0;
   Cause stall_cause = Cause::hazard_address;
-  int stall_register = -1;  // that is waited for
+  int stall_register = kNoRegister;  // that is waited for
 };
 
 class Pipeline {

@@ -40,6 +40,9 @@ inline constexpr std::array<std::string_view, kCauseCount> kCauseNames = {
     "store_buffer",   "l2_read",     "l2_write",        "l3_read",
     "l3_write",       "device",      "interrupt_entry", "idle"};
 
+// No register is waited for.
+inline constexpr int kNoRegister = -1;
+
 using CauseCycles = std::array<Cycles, kCauseCount>;
 
 // Bytes that loads and stores moved, by memory::Level. Device registers are no level.

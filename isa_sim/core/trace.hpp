@@ -22,8 +22,6 @@ struct TraceCost {
   Cycles cycles = 0;
   int reg = kNoRegister;  // hazards: the register that was waited for
   Address address = 0;    // memory and device registers: what was accessed
-
-  static constexpr int kNoRegister = -1;
 };
 
 struct TraceRecord {

@@ -78,11 +78,9 @@ Finished CompilerTest::execute(const std::string& source_path, const std::string
                                Copying copying) const {
   Finished finished =
       cc({"-O" + level, "--verify", "-W", "no-everything", "-o", "program.bir", source_path});
-  return finished.exit_code == 0 ? execute_bir("program.bir", copying) : finished;
-}
-
-Finished CompilerTest::execute_bir(const std::string& bir, Copying copying) const {
-  std::vector<std::string> command = {FINBACK_BIR_RUN, bir};
+  if (finished.exit_code != 0)
+    return finished;
+  std::vector<std::string> command = {FINBACK_BIR_RUN, "program.bir"};
   for (std::string& unit : runtime_units(copying))
     command.push_back(std::move(unit));
   return run(command);

@@ -36,9 +36,6 @@ class CompilerTest : public ::testing::Test {
   /// What a C program prints on the simulated machine, linked with the firmware's runtime.
   [[nodiscard]] Finished execute(const std::string& source_path, const std::string& level,
                                  Copying copying = Copying::plain) const;
-  /// The same of what is compiled already. Exit code 3: it does not end in time.
-  [[nodiscard]] Finished execute_bir(const std::string& bir,
-                                     Copying copying = Copying::plain) const;
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
  private:

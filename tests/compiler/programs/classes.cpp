@@ -91,6 +91,13 @@ int main() {
   const int values[3] = {1, 2, 3};
   report("sum", static_cast<unsigned>(sum_of(values)));
   report("static", static_cast<unsigned>(counter() + counter()));
+  int large = 1'000;
+#ifdef __FINBACK__
+  __asm__("%0 += 5;" : "+d"(large));
+#else
+  large += 5;
+#endif
+  report("large", static_cast<unsigned>(large));
   constexpr auto colour = Colour::green;
   report("colour", static_cast<unsigned>(colour));
   return 0;
