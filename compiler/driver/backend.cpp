@@ -12,6 +12,7 @@
 #include <llvm/Passes/PassBuilder.h>
 #include <llvm/Support/raw_ostream.h>
 
+#include "../middle/AbsoluteDifferences.hpp"
 #include "../target/Bfin.hpp"
 #include "../target/BfinAsmPrinter.hpp"
 #include "../target/BfinMCTargetDesc.hpp"
@@ -122,6 +123,9 @@ void run_middle_end(Module& module, TargetMachine& machine, char level) {
   builder.registerFunctionAnalyses(functions);
   builder.registerLoopAnalyses(loops);
   builder.crossRegisterProxies(loops, functions, components, modules);
+  builder.registerLateLoopOptimizationsEPCallback([](LoopPassManager& passes, OptimizationLevel) {
+    passes.addPass(AbsoluteDifferencesPass());
+  });
   OptimizationLevel target = middle_end_level(level);
   ModulePassManager passes = target == OptimizationLevel::O0
                                  ? builder.buildO0DefaultPipeline(target)

@@ -21,6 +21,11 @@ typedef struct {
 int abs(int value);
 long labs(long value);
 long long llabs(long long value);
+#ifndef __cplusplus
+#define abs(value) __builtin_abs(value)
+#define labs(value) __builtin_labs(value)
+#define llabs(value) __builtin_llabs(value)
+#endif
 div_t div(int dividend, int divisor);
 int atoi(const char* text);
 long atol(const char* text);

@@ -3,11 +3,11 @@
 #include <limits.h>
 #include <stdlib.h>
 
-int abs(int value) { return value < 0 ? -value : value; }
+int(abs)(int value) { return value < 0 ? -value : value; }
 
-long labs(long value) { return value < 0 ? -value : value; }
+long(labs)(long value) { return value < 0 ? -value : value; }
 
-long long llabs(long long value) { return value < 0 ? -value : value; }
+long long(llabs)(long long value) { return value < 0 ? -value : value; }
 
 div_t div(int dividend, int divisor) {
   div_t result = {dividend / divisor, 0};

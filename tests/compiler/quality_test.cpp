@@ -153,5 +153,19 @@ TEST_F(Quality, LikelyBranchesArePredicted) {
   EXPECT_EQ(count(body, "(BP)"), 1) << body;
 }
 
+// Two loops become a call; one whose sum is wanted in each round stays.
+TEST_F(Quality, SumsOfAbsoluteDifferencesAreOneCall) {
+  const std::string text = compile(
+      "int block(const unsigned char *a, const unsigned char *b, int step) {\n  int s = 0;\n"
+      "  for (int y = 0; y < 16; y++, a += step, b += step)\n"
+      "    for (int x = 0; x < 16; x++) s += __builtin_abs(a[x] - b[x]);\n  return s;\n}\n"
+      "int until(const unsigned char *a, const unsigned char *b, int limit) {\n  int s = 0;\n"
+      "  for (int x = 0; x < 16; x++)\n"
+      "    if ((s += __builtin_abs(a[x] - b[x])) > limit) return x;\n  return s;\n}\n");
+  EXPECT_EQ(count(function_of(text, "block"), "CALL ___absolute_differences"), 1) << text;
+  EXPECT_EQ(count(function_of(text, "block"), "LSETUP"), 0) << text;
+  EXPECT_EQ(count(function_of(text, "until"), "CALL"), 0) << text;
+}
+
 }  // namespace
 }  // namespace finback::compiler

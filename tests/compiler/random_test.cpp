@@ -42,8 +42,8 @@ class RandomC : public CompilerTest, public ::testing::WithParamInterface<int> {
       const Finished compiled = cc({std::string("-O") + level, "-W", "no-everything", "-I", headers,
                                     "-I", kCsmithHeaders, "random.c"});
       EXPECT_EQ(compiled.exit_code, 0) << "seed " << seed << " -O" << level << compiled.err;
-      const Finished got =
-          run({FINBACK_BIR_RUN, "random.bir", unit("divide"), unit("divide_long"), unit("memory")});
+      const Finished got = run({FINBACK_BIR_RUN, "random.bir", unit("divide"), unit("divide_long"),
+                                unit("memory"), unit("absolute_differences")});
       if (got.exit_code == kDoesNotEnd)
         return false;  // for the host it took less than half a second
       EXPECT_EQ(got.exit_code, 0) << "seed " << seed << " -O" << level << ": " << got.err;

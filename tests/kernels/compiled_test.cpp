@@ -14,6 +14,7 @@ namespace {
 
 KernelCall call_of(const Compared& one, const std::string& folder) {
   KernelCall call(one.kernel, folder);
+  call.with(FINBACK_RUNTIME "/absolute_differences.bir");
   one.arguments(call);
   return call;
 }

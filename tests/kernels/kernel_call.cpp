@@ -12,8 +12,8 @@ namespace {
 std::string object_name(const std::string& number) { return "_buffer" + number; }
 std::string object_name(std::size_t number) { return object_name(std::to_string(number)); }
 
-std::string read_kernel(const std::string& folder, const std::string& kernel) {
-  const std::string text = read_text_file(folder + "/" + kernel + ".bir");
+std::string read_unit(const std::string& path) {
+  const std::string text = read_text_file(path);
   return text.substr(text.find('\n') + 1);  // the harness writes the head line
 }
 
@@ -49,6 +49,11 @@ constexpr isa::Register kKept[] = {isa::R4, isa::R5, isa::P3, isa::P4, isa::P5};
 std::uint32_t kept_value(isa::Register reg) { return 0x4b00u + static_cast<std::uint32_t>(reg); }
 
 }  // namespace
+
+KernelCall& KernelCall::with(const std::string& path) {
+  linked_ += read_unit(path);
+  return *this;
+}
 
 KernelCall& KernelCall::number(std::int64_t value) {
   argument(std::to_string(value));
@@ -126,7 +131,8 @@ std::string KernelCall::caller() const {
 
 core::CoreHarness& KernelCall::harness() {
   if (!harness_) {
-    std::string text = core::program(caller()) + read_kernel(folder_, kernel_) + ".data\n";
+    const std::string kernel = read_unit(folder_ + "/" + kernel_ + ".bir");
+    std::string text = core::program(caller()) + kernel + linked_ + ".data\n";
     for (std::size_t i = 0; i < objects_.size(); ++i) {
       text += fmt::format(".align {0}\n.type {1}, @object\n{1}:\n{2}", alignment_, object_name(i),
                           objects_[i]);

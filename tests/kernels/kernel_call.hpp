@@ -24,6 +24,8 @@ class KernelCall {
   explicit KernelCall(std::string kernel, std::string folder = FINBACK_KERNELS)
       : kernel_(std::move(kernel)), folder_(std::move(folder)) {}
 
+  // Links the kernel with a unit of the runtime, written in BIR.
+  KernelCall& with(const std::string& path);
   // The next argument, a number.
   KernelCall& number(std::int64_t value);
   // The next argument: the address of these values.
@@ -62,6 +64,7 @@ class KernelCall {
 
   std::string kernel_;
   std::string folder_;
+  std::string linked_;  // the units' text
   std::vector<std::string> arguments_;
   std::vector<std::string> objects_;            // the lines of each, from its label on
   std::size_t alignment_ = 4096;                // a sub-bank each
