@@ -7,7 +7,7 @@ packages=(
   # building
   g++ cmake ninja-build make git ca-certificates
   # finback-cc: LLVM as a library and clang as its front end
-  llvm-19-dev clang-19
+  llvm-19-dev clang-19 zlib1g-dev libzstd-dev
   # libraries of the simulator and its tools
   libopencv-core-dev libopencv-imgcodecs-dev libopencv-imgproc-dev
   libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libeigen3-dev

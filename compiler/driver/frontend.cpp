@@ -2,10 +2,14 @@
 
 #include <fstream>
 #include <llvm/Bitcode/BitcodeReader.h>
+#include <llvm/IR/InstIterator.h>
+#include <llvm/IR/InstrTypes.h>
 #include <llvm/Support/FileSystem.h>
 #include <llvm/Support/MemoryBuffer.h>
 #include <llvm/Support/Path.h>
+#include <llvm/Support/Process.h>
 #include <llvm/Support/Program.h>
+#include <llvm/Support/raw_ostream.h>
 #include <stdexcept>
 
 #include "../target/BfinTargetMachine.hpp"
@@ -89,9 +93,9 @@ constexpr const char* kCompile[] = {"-g",
                                     "-fdebug-default-version=5",
                                     "-c"};
 
-/// Runs clang; false when it has reported errors.
+/// Runs clang; false when it has reported errors. Its messages go to the user, or to a file.
 bool run_clang(std::vector<std::string> arguments, const std::string& input,
-               const TemporaryFile& output) {
+               const TemporaryFile& output, const TemporaryFile* messages = nullptr) {
   auto clang = llvm::sys::findProgramByName("clang-19");
   if (!clang)
     throw std::runtime_error("clang-19 is not on PATH: install the package clang-19");
@@ -99,11 +103,41 @@ bool run_clang(std::vector<std::string> arguments, const std::string& input,
   for (const std::string& last : {std::string("-o"), output.path(), input})
     arguments.push_back(last);
   std::vector<llvm::StringRef> command(arguments.begin(), arguments.end());
+  const std::string kept = messages == nullptr ? "" : messages->path();
+  std::vector<std::optional<llvm::StringRef>> redirects;
+  if (messages != nullptr)
+    redirects = {std::nullopt, std::nullopt, kept};
   std::string problem;
-  const int code = llvm::sys::ExecuteAndWait(*clang, command, std::nullopt, {}, 0, 0, &problem);
+  const int code =
+      llvm::sys::ExecuteAndWait(*clang, command, std::nullopt, redirects, 0, 0, &problem);
   if (code < 0)
     throw std::runtime_error("cannot run " + *clang + ": " + problem);
   return code == 0;
+}
+
+std::unique_ptr<llvm::Module> read_module(const TemporaryFile& bitcode,
+                                          llvm::LLVMContext& context) {
+  auto module = llvm::parseBitcodeFile(bitcode.read()->getMemBufferRef(), context);
+  if (!module)
+    throw std::runtime_error("cannot read what clang-19 wrote: " +
+                             llvm::toString(module.takeError()));
+  return std::move(*module);
+}
+
+bool mentions_assembly(const std::string& input) {
+  auto text = llvm::MemoryBuffer::getFile(input);
+  return text && (*text)->getBuffer().contains("asm");
+}
+
+bool has_assembly(const llvm::Module& module) {
+  const auto is_assembly = [](const llvm::Instruction& inst) {
+    const auto* call = llvm::dyn_cast<llvm::CallBase>(&inst);
+    return call != nullptr && call->isInlineAsm();
+  };
+  return !module.getModuleInlineAsm().empty() ||
+         llvm::any_of(module, [&](const llvm::Function& function) {
+           return llvm::any_of(llvm::instructions(function), is_assembly);
+         });
 }
 
 /// Where there is assembly: to `output`, with the assembly in the form that clang takes; the lines
@@ -121,29 +155,67 @@ bool preprocess(const std::string& input, std::vector<std::string> arguments,
   return true;
 }
 
+/// As it stands, with assembly as clang's own target has it; null: there are errors. What clang
+/// said is in `messages`.
+std::unique_ptr<llvm::Module> compile_plain(const std::string& input,
+                                            std::vector<std::string> arguments,
+                                            const TemporaryFile& messages,
+                                            llvm::LLVMContext& context) {
+  arguments.push_back("-fmessage-length=" +
+                      std::to_string(llvm::sys::Process::StandardErrColumns()));
+  if (llvm::sys::Process::StandardErrHasColors())
+    arguments.emplace_back("-fcolor-diagnostics");
+  const TemporaryFile bitcode("bc");
+  if (!run_clang(arguments, input, bitcode, &messages))
+    return nullptr;
+  return read_module(bitcode, context);
+}
+
+/// Most files have no assembly, and clang runs once for them. Others, and those with errors, which
+/// may be of the assembly in a header, are preprocessed first.
+std::unique_ptr<llvm::Module> compile_any(const std::string& input, const Options& options,
+                                          const std::string& include_dir,
+                                          llvm::LLVMContext& context) {
+  const std::vector<std::string> language = language_options(input, options, include_dir);
+  std::vector<std::string> arguments = language;
+  arguments.insert(arguments.end(), std::begin(kCompile), std::end(kCompile));
+  const TemporaryFile messages("txt");
+  bool failed = false;
+  if (!mentions_assembly(input)) {
+    auto module = compile_plain(input, arguments, messages, context);
+    failed = module == nullptr;
+    if (!failed && !has_assembly(*module)) {
+      llvm::errs() << messages.read()->getBuffer();
+      return module;
+    }
+  }
+  const TemporaryFile rewritten(is_cpp(input) ? "ii" : "i");
+  bool rewrote = false;
+  if (!preprocess(input, language, rewritten, rewrote))
+    return nullptr;
+  if (failed && !rewrote) {
+    llvm::errs() << messages.read()->getBuffer();
+    return nullptr;
+  }
+  if (rewrote)
+    arguments.emplace_back("-Wno-unused-command-line-argument");  // of the preprocessor
+  const TemporaryFile bitcode("bc");
+  if (!run_clang(arguments, rewrote ? rewritten.path() : input, bitcode))
+    return nullptr;
+  return read_module(bitcode, context);
+}
+
 }  // namespace
 
 std::unique_ptr<llvm::Module> compile_c(const std::string& input, const Options& options,
                                         const std::string& include_dir,
                                         llvm::LLVMContext& context) {
-  std::vector<std::string> arguments = language_options(input, options, include_dir);
-  const TemporaryFile rewritten(is_cpp(input) ? "ii" : "i");
-  bool has_assembly = false;
-  if (!preprocess(input, arguments, rewritten, has_assembly))
-    return nullptr;
-  arguments.insert(arguments.end(), std::begin(kCompile), std::end(kCompile));
-  if (has_assembly)
-    arguments.emplace_back("-Wno-unused-command-line-argument");  // of the preprocessor
-  const TemporaryFile bitcode("bc");
-  if (!run_clang(arguments, has_assembly ? rewritten.path() : input, bitcode))
-    return nullptr;
-  auto module = llvm::parseBitcodeFile(bitcode.read()->getMemBufferRef(), context);
-  if (!module)
-    throw std::runtime_error("cannot read what clang-19 wrote: " +
-                             llvm::toString(module.takeError()));
-  (*module)->setTargetTriple("bfin-unknown-unknown");
-  (*module)->setDataLayout(llvm::BfinTargetMachine::kDataLayout);
-  return std::move(*module);
+  std::unique_ptr<llvm::Module> module = compile_any(input, options, include_dir, context);
+  if (module != nullptr) {
+    module->setTargetTriple("bfin-unknown-unknown");
+    module->setDataLayout(llvm::BfinTargetMachine::kDataLayout);
+  }
+  return module;
 }
 
 }  // namespace finback::compiler

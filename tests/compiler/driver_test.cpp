@@ -52,6 +52,28 @@ TEST_F(Driver, MacrosAndFoldersReachThePreprocessor) {
   EXPECT_NE(bir.find(".byte4 42"), std::string::npos) << bir;
 }
 
+TEST_F(Driver, AssemblyMayStandInAHeader) {
+  write("ones.h",
+        "static inline int ones(int x) {\n  __asm__(\"%h0 = ONES %1; %0 = %h0 (Z);\" : \"=d\"(x) : "
+        "\"d\"(x));\n  return x;\n}\n");
+  const std::string bir = compile("#include \"ones.h\"\nint f(int x) { return ones(x); }\n");
+  EXPECT_NE(bir.find("ONES R"), std::string::npos) << bir;
+}
+
+TEST_F(Driver, WhatClangSaysIsSaidOnce) {
+  write("nop.h", "static inline void nop(void) { __asm__(\"NOP;\" : : : \"P0\"); }\n");
+  for (const char* header : {"", "#include \"nop.h\"\nvoid g(void) { nop(); }\n"}) {
+    write("warned.c", std::string(header) + "int f(void) { int unused; return 1; }\n");
+    const Finished warned = cc({"warned.c"});
+    EXPECT_EQ(warned.exit_code, 0) << warned.err;
+    EXPECT_EQ(count(warned.err, "warning: unused variable"), 1) << warned.err;
+    write("wrong.c", std::string(header) + "int f(void) { int unused; return x; }\n");
+    const Finished wrong = cc({"wrong.c"});
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_EQ(count(wrong.err, "error: use of undeclared"), 1) << wrong.err;
+  }
+}
+
 TEST_F(Driver, TheSameInputsGiveTheSameBytes) {
   const std::string first = compile(kSmall);
   EXPECT_EQ(compile(kSmall), first);

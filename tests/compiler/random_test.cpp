@@ -35,7 +35,7 @@ class RandomC : public CompilerTest, public ::testing::WithParamInterface<int> {
                                 kCsmithHeaders, "-o", "host", "random.c"});
     EXPECT_EQ(built.exit_code, 0) << built.err;
     // Nobody waits for one that runs for ever.
-    const Finished wanted = run({"timeout", "0.5", "./host"});
+    const Finished wanted = run({"timeout", "0.2", "./host"});
     if (wanted.exit_code != 0)
       return false;
     for (const char* level : {"0", "1", "2", "3", "s"}) {
@@ -45,7 +45,7 @@ class RandomC : public CompilerTest, public ::testing::WithParamInterface<int> {
       const Finished got = run({FINBACK_BIR_RUN, "random.bir", unit("divide"), unit("divide_long"),
                                 unit("memory"), unit("absolute_differences")});
       if (got.exit_code == kDoesNotEnd)
-        return false;  // for the host it took less than half a second
+        return false;  // for the host it took less than a fifth of a second
       EXPECT_EQ(got.exit_code, 0) << "seed " << seed << " -O" << level << ": " << got.err;
       EXPECT_EQ(got.out, wanted.out) << "seed " << seed << " -O" << level;
     }
