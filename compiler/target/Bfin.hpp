@@ -32,6 +32,8 @@ FunctionPass* createBfinBankSelect();
 FunctionPass* createBfinKeptHalves();
 /// After allocation and layout: writes LSETUP and its labels.
 FunctionPass* createBfinLoopLayout();
+/// After allocation: pointers of small loops in I registers, for two accesses a packet.
+FunctionPass* createBfinIndexStreams();
 /// After allocation: the final order of each block, in packets.
 FunctionPass* createBfinPackets();
 /// Shorter forms and the branch predictions.

@@ -8,6 +8,7 @@
 #include <llvm/MC/MCContext.h>
 #include <llvm/MC/MCExpr.h>
 #include <llvm/MC/MCInst.h>
+#include <llvm/MC/MCInstBuilder.h>
 #include <llvm/MC/MCSectionELF.h>
 #include <llvm/MC/MCSymbol.h>
 #include <map>
@@ -230,10 +231,12 @@ void BfinAsmPrinter::emitInstruction(const MachineInstr* inst) {
     for (; it != inst->getParent()->instr_end() && it->isInsideBundle(); ++it)
       packet.push_back(lower(*it));
     // Within the bundle reads stand before writes; the text has the slots in their order.
-    stable_sort(packet, [&](const MCInst& a, const MCInst& b) {
-      return BfinII::getSlot(MF->getSubtarget().getInstrInfo()->get(a.getOpcode())) <
-             BfinII::getSlot(MF->getSubtarget().getInstrInfo()->get(b.getOpcode()));
-    });
+    const auto slot = [&](const MCInst& one) {
+      return BfinII::getSlot(MF->getSubtarget().getInstrInfo()->get(one.getOpcode()));
+    };
+    stable_sort(packet, [&](const MCInst& a, const MCInst& b) { return slot(a) < slot(b); });
+    if (slot(packet.front()) != BfinII::kDspSlot)
+      packet.insert(packet.begin(), MCInstBuilder(Bfin::MNOP));
   }
   bir().emitPacket(packet, getSubtargetInfo());
 }

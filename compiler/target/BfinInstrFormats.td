@@ -5,6 +5,7 @@ class Slot<bits<2> v> {
 def Alone : Slot<0>;   // never in parallel
 def DspSlot : Slot<1>; // slot 0: 32-bit arithmetic
 def MemSlot : Slot<2>; // slot 1: a 16-bit load or store through a P register
+def IndexSlot : Slot<3>; // slot 1 or 2: one through an I register
 
 class BfinInst<int bytes, dag outs, dag ins, string text, list<dag> pattern = []> : Instruction {
   let Namespace = "Bfin";

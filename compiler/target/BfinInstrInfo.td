@@ -142,6 +142,39 @@ let mayStore = true, IssueSlot = MemSlot in {
   }
 }
 
+// Through an I register, which may stand beside another access in a packet (BfinIndexStreams). Halves
+// are not extended: the high half of the register stays.
+def IndexMem : Operand<i32> {
+  let MIOperandInfo = (ops IR:$base, i32imm:$displacement);  // the displacement is 0
+  let PrintMethod = "printMem";
+}
+let mayLoad = true, IssueSlot = IndexSlot in {
+  def LDWI : BfinInst<2, (outs D:$rd), (ins IndexMem:$m), "$rd = [$m]">;
+  let Constraints = "$old = $rd" in
+  def LDLI : BfinInst<2, (outs D:$rd), (ins IndexMem:$m, D:$old), "${rd}.L = W[$m]">;
+  foreach step = ["Inc", "Dec"] in {
+    defvar sign = !if(!eq(step, "Inc"), "++", "--");
+    let Constraints = "$base = $next" in
+    def LDWI#step : BfinInst<2, (outs D:$rd, IR:$next), (ins IR:$base), "$rd = [$base"#sign#"]">;
+    let Constraints = "$base = $next, $old = $rd" in
+    def LDLI#step
+        : BfinInst<2, (outs D:$rd, IR:$next), (ins IR:$base, D:$old), "${rd}.L = W[$base"#sign#"]">;
+  }
+}
+let mayStore = true, IssueSlot = IndexSlot in {
+  def STWI : BfinInst<2, (outs), (ins D:$rs, IndexMem:$m), "[$m] = $rs">;
+  def STHI : BfinInst<2, (outs), (ins D:$rs, IndexMem:$m), "W[$m] = ${rs}.L">;
+  foreach step = ["Inc", "Dec"] in {
+    defvar sign = !if(!eq(step, "Inc"), "++", "--");
+    let Constraints = "$base = $next" in {
+      def STWI#step : BfinInst<2, (outs IR:$next), (ins D:$rs, IR:$base), "[$base"#sign#"] = $rs">;
+      def STHI#step : BfinInst<2, (outs IR:$next), (ins D:$rs, IR:$base), "W[$base"#sign#"] = ${rs}.L">;
+    }
+  }
+}
+// Holds the first slot of a packet of two accesses.
+def MNOP : Dsp<(outs), (ins), "MNOP">;
+
 //===-- Arithmetic ---------------------------------------------------------------------------------===//
 // Operations that exist in both banks are selected as ..._X; the bank pass picks one of the two.
 multiclass BothBanks<string text, SDNode node> {

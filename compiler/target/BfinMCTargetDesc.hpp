@@ -18,7 +18,7 @@ namespace llvm {
 
 /// What an instruction may be packed as; BfinInstrFormats.td writes these two fields.
 namespace BfinII {
-enum Slot : unsigned { kAlone = 0, kDspSlot = 1, kMemSlot = 2 };
+enum Slot : unsigned { kAlone = 0, kDspSlot = 1, kMemSlot = 2, kIndexSlot = 3 };
 inline unsigned getSlot(const MCInstrDesc& desc) { return desc.TSFlags & 3; }
 inline bool readsEarly(const MCInstrDesc& desc) { return (desc.TSFlags & 4) != 0; }
 }  // namespace BfinII

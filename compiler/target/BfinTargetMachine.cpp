@@ -83,6 +83,7 @@ class BfinPassConfig : public TargetPassConfig {
   }
 
   void addPreEmitPass() override {
+    addPass(createBfinIndexStreams());
     addPass(createBfinPackets());
     addPass(createBfinLateForms());
     addPass(createBfinLoopLayout());

@@ -19,14 +19,38 @@ std::string loop_of(const std::string& body) {
   return body.substr(from, body.find(';', body.find("\n" + end)) + 1 - from);
 }
 
-// The loads of the next pass stand beside the arithmetic of this one: two packets a product.
+// The loads of the next pass stand beside the arithmetic of this one, the second one through an I
+// register: a packet a product.
 TEST_F(Quality, SmallLoopsLoadAhead) {
   const std::string loop = loop_of(
       function_of(compile("int f(const short *x, const short *y, int n) {\n  int s = 0;\n"
                           "  for (int i = 0; i < n; i++) s += x[i] * y[i];\n  return s;\n}\n"),
                   "f"));
-  EXPECT_EQ(count(loop, ";"), 2) << loop;
-  EXPECT_EQ(count(loop, "A0 += R1.L * R0.L (IS) || "), 1) << loop;
+  EXPECT_EQ(count(loop, ";"), 1) << loop;
+  EXPECT_EQ(count(loop, "A0 += R1.L * R0.L (IS) || R0 = W[P0++] (X) || R1.L = W[I"), 1) << loop;
+}
+
+// W[I0++] does not extend: where the upper half is read, a load through a P register makes it.
+TEST_F(Quality, SignedHalvesThatAreReadInFullKeepOffTheIRegisters) {
+  const auto loop_over = [&](const std::string& type) {
+    return loop_of(function_of(
+        compile("int f(const " + type + " *x, const " + type + " *y, int n) {\n  int s = 0;\n" +
+                "  for (int i = 0; i < n; i++) s += x[i] < y[i];\n  return s;\n}\n"),
+        "f"));
+  };
+  EXPECT_EQ(count(loop_over("int"), "[I"), 1) << loop_over("int");
+  EXPECT_EQ(count(loop_over("short"), "[I"), 0) << loop_over("short");
+}
+
+TEST_F(Quality, HandlersKeepOffTheIRegisters) {
+  const auto body_of = [&](const std::string& kind) {
+    return function_of(compile("#include <finback/blackfin.h>\nextern int a[9], b[9];\n" + kind +
+                               " void f(void) {\n  for (int i = 0; i < 9; i++) {\n"
+                               "    int t = a[i];\n    a[i] = b[i];\n    b[i] = t;\n  }\n}\n"),
+                       "f");
+  };
+  EXPECT_GE(count(body_of(""), "[I"), 1) << body_of("");
+  EXPECT_EQ(count(body_of("FINBACK_INTERRUPT"), "[I"), 0) << body_of("FINBACK_INTERRUPT");
 }
 
 TEST_F(Quality, CopyLoopIsAHardwareLoopOfTwoInstructions) {
