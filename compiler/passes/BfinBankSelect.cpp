@@ -94,6 +94,7 @@ class BfinBankSelect : public MachineFunctionPass {
   void require(Register reg, Bank bank, int64_t cost);
   void use_at(Register reg, int user);
   Bank operand_bank(const MachineInstr& inst, unsigned index) const;
+  void constrain_result(const MachineInstr& inst, unsigned index);
   void rewrite(MachineInstr& inst);
   Register in_bank(Register reg, Bank bank);
   void set_bank(MachineInstr& inst, unsigned index, Bank bank);
@@ -198,9 +199,11 @@ Bank BfinBankSelect::operand_bank(const MachineInstr& inst, unsigned index) cons
     wanted = inst.getRegClassConstraint(index, tii_, regs_->getTargetRegisterInfo());
   else if (index < desc.getNumOperands() && desc.operands()[index].RegClass >= 0)
     wanted = regs_->getTargetRegisterInfo()->getRegClass(desc.operands()[index].RegClass);
-  return wanted == &Bfin::DRegClass   ? Bank::kData
-         : wanted == &Bfin::PRegClass ? Bank::kPointer
-                                      : Bank::kEither;
+  if (wanted == nullptr)
+    return Bank::kEither;
+  return Bfin::DRegClass.hasSubClassEq(wanted)   ? Bank::kData
+         : Bfin::PRegClass.hasSubClassEq(wanted) ? Bank::kPointer
+                                                 : Bank::kEither;
 }
 
 /// Decides ties: scaled sums belong to addresses, where one instruction makes them; what is loaded
@@ -278,6 +281,14 @@ void BfinBankSelect::set_bank(MachineInstr& inst, unsigned index, Bank bank) {
     operand.setReg(in_bank(operand.getReg(), bank));
 }
 
+/// Some results come in half of the data registers only.
+void BfinBankSelect::constrain_result(const MachineInstr& inst, unsigned index) {
+  const TargetRegisterClass* wanted =
+      inst.getRegClassConstraint(index, tii_, regs_->getTargetRegisterInfo());
+  if (wanted == &Bfin::DEvenRegClass || wanted == &Bfin::DOddRegClass)
+    regs_->setRegClass(inst.getOperand(index).getReg(), wanted);
+}
+
 void BfinBankSelect::rewrite(MachineInstr& inst) {
   if (inst.isCopy())
     return;
@@ -289,8 +300,12 @@ void BfinBankSelect::rewrite(MachineInstr& inst) {
         inst.getNumExplicitDefs() == 1 ? banks_[inst.getOperand(0).getReg()] : banks_[Register(0)];
   for (unsigned i = 0; i < inst.getNumOperands(); ++i) {
     const MachineOperand& operand = inst.getOperand(i);
-    if (!is_value(operand) || operand.isDef())
+    if (!is_value(operand))
       continue;
+    if (operand.isDef()) {
+      constrain_result(inst, i);
+      continue;
+    }
     Bank bank = operand_bank(inst, i);
     if (bank == Bank::kEither && joined)
       bank = own;

@@ -39,6 +39,40 @@ class BfinDAGToDAGISel : public SelectionDAGISel {
     return set(address, 0);
   }
 
+  bool select_half(SDValue value, unsigned half, SDValue& reg, SDValue& number) {
+    reg = value;
+    number = CurDAG->getTargetConstant(half, SDLoc(value), MVT::i32);
+    return true;
+  }
+
+  static bool is_shift_by_16(SDValue value, unsigned opcode) {
+    return value.getOpcode() == opcode && isa<ConstantSDNode>(value.getOperand(1)) &&
+           value.getConstantOperandVal(1) == 16;
+  }
+
+  /// A factor of a signed product of halves, and in which half of which register it is found.
+  bool selectSignedHalf(SDValue value, SDValue& reg, SDValue& half) {
+    if (CurDAG->ComputeNumSignBits(value) <= 16)
+      return false;
+    if (is_shift_by_16(value, ISD::SRA))
+      return select_half(value.getOperand(0), 1, reg, half);
+    if (value.getOpcode() == ISD::SIGN_EXTEND_INREG &&
+        cast<VTSDNode>(value.getOperand(1))->getVT() == MVT::i16)
+      value = value.getOperand(0);
+    return select_half(value, 0, reg, half);
+  }
+
+  bool selectUnsignedHalf(SDValue value, SDValue& reg, SDValue& half) {
+    if (!CurDAG->MaskedValueIsZero(value, APInt::getHighBitsSet(32, 16)))
+      return false;
+    if (is_shift_by_16(value, ISD::SRL))
+      return select_half(value.getOperand(0), 1, reg, half);
+    if (value.getOpcode() == ISD::AND && isa<ConstantSDNode>(value.getOperand(1)) &&
+        value.getConstantOperandVal(1) == 0xffff)
+      value = value.getOperand(0);
+    return select_half(value, 0, reg, half);
+  }
+
   /// "m": the address in a register.
   bool SelectInlineAsmMemoryOperand(const SDValue& op, InlineAsm::ConstraintCode,
                                     std::vector<SDValue>& operands) override {

@@ -48,6 +48,7 @@ BfinTargetLowering::BfinTargetLowering(const TargetMachine& machine, const BfinS
   setOperationAction(ISD::SIGN_EXTEND_INREG, MVT::i1, Expand);
   for (unsigned extension : {ISD::EXTLOAD, ISD::ZEXTLOAD, ISD::SEXTLOAD})
     setLoadExtAction(extension, MVT::i32, MVT::i1, Promote);
+  setTargetDAGCombine(ISD::MUL);
   for (MVT type : {MVT::i8, MVT::i16, MVT::i32})
     for (unsigned mode : {ISD::POST_INC, ISD::POST_DEC}) {
       setIndexedLoadAction(mode, type, Legal);
@@ -55,10 +56,37 @@ BfinTargetLowering::BfinTargetLowering(const TargetMachine& machine, const BfinS
     }
 }
 
+/// (a + b)(a - b) of halves, into which the middle end turns a*a - b*b, back to that: products of
+/// halves are three times as fast, and fit the accumulators.
+static SDValue combine_product(SDNode* product, SelectionDAG& dag) {
+  SDValue sum = product->getOperand(0);
+  SDValue difference = product->getOperand(1);
+  if (sum.getOpcode() == ISD::SUB)
+    std::swap(sum, difference);
+  if (sum.getOpcode() != ISD::ADD || difference.getOpcode() != ISD::SUB)
+    return SDValue();
+  SDValue a = difference.getOperand(0);
+  SDValue b = difference.getOperand(1);
+  const bool same = (sum.getOperand(0) == a && sum.getOperand(1) == b) ||
+                    (sum.getOperand(0) == b && sum.getOperand(1) == a);
+  if (!same || product->getValueType(0) != MVT::i32 || dag.ComputeNumSignBits(a) <= 16 ||
+      dag.ComputeNumSignBits(b) <= 16)
+    return SDValue();
+  SDLoc loc(product);
+  SDNodeFlags exact;
+  exact.setNoSignedWrap(true);
+  return dag.getNode(ISD::SUB, loc, MVT::i32, dag.getNode(ISD::MUL, loc, MVT::i32, a, a, exact),
+                     dag.getNode(ISD::MUL, loc, MVT::i32, b, b, exact), exact);
+}
+
+SDValue BfinTargetLowering::PerformDAGCombine(SDNode* node, DAGCombinerInfo& info) const {
+  return node->getOpcode() == ISD::MUL ? combine_product(node, info.DAG) : SDValue();
+}
+
 const char* BfinTargetLowering::getTargetNodeName(unsigned opcode) const {
   static constexpr const char* kNames[] = {
       "CALL",   "RET",   "RETI",   "SYMBOL",   "CMP",      "BITTST", "JCC",   "SELECT",
-      "FROMCC", "NOTCC", "MULU16", "MULU16HL", "MULU16HH", "CSYNC",  "SSYNC", "IDLE",
+      "FROMCC", "NOTCC", "MULU16", "MULU16HL", "MULU16HH", "SUM", "CSYNC",  "SSYNC", "IDLE",
       "NOP",    "CLI",   "STI",    "RAISE",    "EXCPT",    "TESTSET"};
   unsigned index = opcode - BfinISD::CALL;
   return opcode >= BfinISD::CALL && index < std::size(kNames) ? kNames[index] : nullptr;
@@ -316,6 +344,16 @@ bool BfinTargetLowering::isLegalAddressingMode(const DataLayout& layout, const A
   size = std::clamp<int64_t>(size, 1, 4);
   return mode.BaseOffs % size == 0 && mode.BaseOffs >= -32767 * size &&
          mode.BaseOffs <= 32767 * size;
+}
+
+/// A shift and a sum are faster than a product and its factor in a register.
+bool BfinTargetLowering::decomposeMulByConstant(LLVMContext&, EVT type, SDValue factor) const {
+  const auto* constant = dyn_cast<ConstantSDNode>(factor);
+  if (type != MVT::i32 || constant == nullptr)
+    return false;
+  const APInt& value = constant->getAPIntValue();
+  return (value - 1).isPowerOf2() || (value + 1).isPowerOf2() || (1 - value).isPowerOf2() ||
+         (-1 - value).isPowerOf2();
 }
 
 bool BfinTargetLowering::isTruncateFree(Type* from, Type* to) const {

@@ -23,6 +23,7 @@ enum NodeType : unsigned {
   MULU16,    ///< low half x low half, unsigned
   MULU16HL,  ///< high half x low half
   MULU16HH,
+  SUM,       ///< as ADD; exact sums fit 40 bits
   CSYNC,
   SSYNC,
   IDLE,
@@ -44,12 +45,14 @@ class BfinTargetLowering : public TargetLowering {
 
   const char* getTargetNodeName(unsigned opcode) const override;
   SDValue LowerOperation(SDValue op, SelectionDAG& dag) const override;
+  SDValue PerformDAGCombine(SDNode* node, DAGCombinerInfo& info) const override;
   EVT getSetCCResultType(const DataLayout&, LLVMContext&, EVT) const override { return MVT::i32; }
   bool isOffsetFoldingLegal(const GlobalAddressSDNode*) const override { return false; }
   bool isLegalAddressingMode(const DataLayout& layout, const AddrMode& mode, Type* type,
                              unsigned address_space, Instruction* inst) const override;
   bool isLegalICmpImmediate(int64_t value) const override { return isInt<3>(value); }
   bool isLegalAddImmediate(int64_t value) const override { return isInt<7>(value); }
+  bool decomposeMulByConstant(LLVMContext&, EVT type, SDValue factor) const override;
   bool isTruncateFree(Type* from, Type* to) const override;
   bool isZExtFree(SDValue value, EVT to) const override;
   bool getPostIndexedAddressParts(SDNode* access, SDNode* step, SDValue& base, SDValue& offset,

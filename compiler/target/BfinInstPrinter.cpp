@@ -47,6 +47,15 @@ void BfinInstPrinter::printHalf(const MCInst* inst, unsigned index, raw_ostream&
     operand.getExpr()->print(out, &MAI);
 }
 
+void BfinInstPrinter::printHalfOf(const MCInst* inst, unsigned index, raw_ostream& out) {
+  printOperand(inst, index, out);
+  out << (inst->getOperand(index + 1).getImm() != 0 ? ".H" : ".L");
+}
+
+void BfinInstPrinter::printAddOrTake(const MCInst* inst, unsigned index, raw_ostream& out) {
+  out << (inst->getOperand(index).getImm() != 0 ? "-=" : "+=");
+}
+
 void BfinInstPrinter::printRegList(const MCInst* inst, unsigned index, raw_ostream& out) {
   int64_t lowest_d = inst->getOperand(index).getImm();
   int64_t lowest_p = inst->getOperand(index + 1).getImm();

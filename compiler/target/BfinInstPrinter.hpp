@@ -23,6 +23,9 @@ class BfinInstPrinter : public MCInstPrinter {
   void printMem(const MCInst* inst, unsigned index, raw_ostream& out);
   /// Sixteen bits of a constant, or a symbol whose half the assembler takes.
   void printHalf(const MCInst* inst, unsigned index, raw_ostream& out);
+  /// A register and which half of it: two operands.
+  void printHalfOf(const MCInst* inst, unsigned index, raw_ostream& out);
+  void printAddOrTake(const MCInst* inst, unsigned index, raw_ostream& out);
   /// The lists of a multiple push or pop: two operands, the lowest D (8: none) and P (6: none).
   void printRegList(const MCInst* inst, unsigned index, raw_ostream& out);
   void printPrediction(const MCInst* inst, unsigned index, raw_ostream& out);

@@ -27,6 +27,7 @@ def bfin_notcc : SDNode<"BfinISD::NOTCC", SDTNone, [SDNPInGlue, SDNPOutGlue]>;
 def bfin_mulu16 : SDNode<"BfinISD::MULU16", SDT_Binary, [SDNPCommutative]>;
 def bfin_mulu16hl : SDNode<"BfinISD::MULU16HL", SDT_Binary>;
 def bfin_mulu16hh : SDNode<"BfinISD::MULU16HH", SDT_Binary, [SDNPCommutative]>;
+def bfin_sum : SDNode<"BfinISD::SUM", SDT_Binary, [SDNPCommutative]>;
 // Instructions that C reaches by name (finback/blackfin.h). All are ordered with memory.
 def bfin_csync : SDNode<"BfinISD::CSYNC", SDTNone, [SDNPHasChain, SDNPMayLoad, SDNPMayStore, SDNPSideEffect]>;
 def bfin_ssync : SDNode<"BfinISD::SSYNC", SDTNone, [SDNPHasChain, SDNPMayLoad, SDNPMayStore, SDNPSideEffect]>;
@@ -71,14 +72,14 @@ def clear_bit_number : SDNodeXForm<imm, [{
 }]>;
 def imm_any : ImmLeaf<i32, [{ return true; }]>;
 
-// Products whose factors fit a half: one cycle instead of three.
-def mul_signed_halves : PatFrag<(ops node:$a, node:$b), (mul node:$a, node:$b), [{
-  return CurDAG->ComputeNumSignBits(N->getOperand(0)) > 16 && CurDAG->ComputeNumSignBits(N->getOperand(1)) > 16;
-}]>;
-def mul_unsigned_halves : PatFrag<(ops node:$a, node:$b), (mul node:$a, node:$b), [{
-  APInt High = APInt::getHighBitsSet(32, 16);
-  return CurDAG->MaskedValueIsZero(N->getOperand(0), High) && CurDAG->MaskedValueIsZero(N->getOperand(1), High);
-}]>;
+// A factor that fits a half: a register and which half of it, 1 the high one. A product of two such
+// takes one cycle instead of three.
+def HalfOf : Operand<i32> {
+  let MIOperandInfo = (ops D:$reg, i32imm:$half);
+  let PrintMethod = "printHalfOf";
+}
+def SignedHalf : ComplexPattern<i32, 2, "selectSignedHalf">;
+def UnsignedHalf : ComplexPattern<i32, 2, "selectUnsignedHalf">;
 
 //===-- Constants and moves ------------------------------------------------------------------------===//
 let isReMaterializable = true, isAsCheapAsAMove = true, isMoveImm = true in {
@@ -253,17 +254,18 @@ let isCommutable = true in {
   def ADDNS : DspBinary<"$rd = $ra + $rb (NS)", []>;
   def SMAX : DspBinary<"$rd = MAX($ra, $rb)", [(set D:$rd, (smax D:$ra, D:$rb))]>;
   def SMIN : DspBinary<"$rd = MIN($ra, $rb)", [(set D:$rd, (smin D:$ra, D:$rb))]>;
-  let ReadsEarly = true in {
-    let AddedComplexity = 12 in
-    def MULIS : DspBinary<"$rd = ${ra}.L * ${rb}.L (IS)", [(set D:$rd, (mul_signed_halves D:$ra, D:$rb))]>;
-    let AddedComplexity = 11 in
-    def MULFU : DspBinary<"$rd = ${ra}.L * ${rb}.L (FU)", [(set D:$rd, (mul_unsigned_halves D:$ra, D:$rb))]>;
-    def MULFUHH : DspBinary<"$rd = ${ra}.H * ${rb}.H (FU)", [(set D:$rd, (bfin_mulu16hh D:$ra, D:$rb))]>;
-  }
 }
-let ReadsEarly = true in
-def MULFUHL : DspBinary<"$rd = ${ra}.H * ${rb}.L (FU)", [(set D:$rd, (bfin_mulu16hl D:$ra, D:$rb))]>;
-def : Pat<(bfin_mulu16 D:$ra, D:$rb), (MULFU D:$ra, D:$rb)>;
+let ReadsEarly = true in {
+  let AddedComplexity = 12 in
+  def MULIS : Dsp<(outs D:$rd), (ins HalfOf:$ra, HalfOf:$rb), "$rd = $ra * $rb (IS)",
+                  [(set D:$rd, (mul SignedHalf:$ra, SignedHalf:$rb))]>;
+  let AddedComplexity = 11 in
+  def MULFU : Dsp<(outs D:$rd), (ins HalfOf:$ra, HalfOf:$rb), "$rd = $ra * $rb (FU)",
+                  [(set D:$rd, (mul UnsignedHalf:$ra, UnsignedHalf:$rb))]>;
+}
+def : Pat<(bfin_mulu16 D:$ra, D:$rb), (MULFU D:$ra, 0, D:$rb, 0)>;
+def : Pat<(bfin_mulu16hl D:$ra, D:$rb), (MULFU D:$ra, 1, D:$rb, 0)>;
+def : Pat<(bfin_mulu16hh D:$ra, D:$rb), (MULFU D:$ra, 1, D:$rb, 1)>;
 def SUBNS : DspBinary<"$rd = $ra - $rb (NS)", []>;
 // The count lands in the low half; the high half keeps what it held.
 let Constraints = "$old = $rd", ReadsEarly = true in {
@@ -271,18 +273,32 @@ let Constraints = "$old = $rd", ReadsEarly = true in {
 }
 def : Pat<(ctpop D:$ra), (ONES (MOVI 0), D:$ra)>;
 
-// Sums in the accumulators (BfinAccumulators): of products of low halves, and their low words.
+// A sum modulo 2^32 whose exact value, summed up over a loop, is known to fit 40 bits.
+def SUM_X : Pseudo<(outs DP:$rd), (ins DP:$ra, DP:$rb), [(set DP:$rd, (bfin_sum DP:$ra, DP:$rb))]>;
+
+// Sums of products in the accumulators (BfinAccumulators). The first operand of each product says
+// whether it is added (0) or taken off (1). Results: the low word, or a sum that is known to fit.
+def AddOrTake : Operand<i32> { let PrintMethod = "printAddOrTake"; }
 foreach i = 0-1 in {
   defvar accumulator = !cast<Register>("A"#i);
-  let Defs = [accumulator] in
-  def CLRA#i : Dsp<(outs), (ins), "A"#i#" = 0">;
-  let Defs = [accumulator], Uses = [accumulator] in {
-    def SETA#i : BfinInst<2, (outs), (ins D:$ra), "A"#i#".W = $ra">;
-    let ReadsEarly = true in
-    def MACIS#i : Dsp<(outs), (ins D:$ra, D:$rb), "A"#i#" += ${ra}.L * ${rb}.L (IS)">;
+  let Defs = [accumulator] in {
+    def CLRA#i : Dsp<(outs), (ins), "A"#i#" = 0">;
+    def SETA#i : Dsp<(outs), (ins D:$ra), "A"#i#" = $ra">;
+  }
+  let Defs = [accumulator], Uses = [accumulator], ReadsEarly = true in {
+    def MAC#i : Dsp<(outs), (ins AddOrTake:$op, HalfOf:$ra, HalfOf:$rb), "A"#i#" $op $ra * $rb (IS)">;
+    def MACGET#i : Dsp<(outs !cast<RegisterClass>(!if(i, "DOdd", "DEven")):$rd),
+                       (ins AddOrTake:$op, HalfOf:$ra, HalfOf:$rb), "$rd = (A"#i#" $op $ra * $rb) (IS)">;
   }
   let Uses = [accumulator] in
   def GETA#i : BfinInst<2, (outs D:$rd), (ins), "$rd = A"#i#".W">;
+}
+let Defs = [A0, A1] in {
+  def CLRAA : Dsp<(outs), (ins), "A1 = A0 = 0">;
+  // Both products are of the same two registers.
+  let Uses = [A0, A1], ReadsEarly = true in
+  def MACMAC : Dsp<(outs), (ins AddOrTake:$op1, HalfOf:$ra1, HalfOf:$rb1, AddOrTake:$op0, HalfOf:$ra0, HalfOf:$rb0),
+                   "A1 $op1 $ra1 * $rb1, A0 $op0 $ra0 * $rb0 (IS)">;
 }
 
 //===-- Conditions ---------------------------------------------------------------------------------===//

@@ -33,6 +33,9 @@ def RETI : BfinReg<"RETI">;
 // Scratch registers first, then the callee-saved ones from the top, because a multiple push saves
 // R7 down to some register.
 def D : RegisterClass<"Bfin", [i32], 32, (add R0, R1, R2, R3, R7, R6, R5, R4)>;
+// Results of A0 and of A1.
+def DEven : RegisterClass<"Bfin", [i32], 32, (add R0, R2, R6, R4)>;
+def DOdd : RegisterClass<"Bfin", [i32], 32, (add R1, R3, R7, R5)>;
 def P : RegisterClass<"Bfin", [i32], 32, (add P0, P1, P2, P5, P4, P3, SP, FP)>;
 // Selection works on this union; the bank pass then says which of the two a value lives in.
 def DP : RegisterClass<"Bfin", [i32], 32, (add D, P)>;
