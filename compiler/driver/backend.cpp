@@ -13,6 +13,7 @@
 #include <llvm/Support/raw_ostream.h>
 
 #include "../middle/AbsoluteDifferences.hpp"
+#include "../middle/Products.hpp"
 #include "../target/Bfin.hpp"
 #include "../target/BfinAsmPrinter.hpp"
 #include "../target/BfinMCTargetDesc.hpp"
@@ -126,6 +127,11 @@ void run_middle_end(Module& module, TargetMachine& machine, char level) {
   builder.registerLateLoopOptimizationsEPCallback([](LoopPassManager& passes, OptimizationLevel) {
     passes.addPass(AbsoluteDifferencesPass());
   });
+  builder.registerVectorizerStartEPCallback(
+      [](FunctionPassManager& passes, OptimizationLevel target) {
+        if (target == OptimizationLevel::O2 || target == OptimizationLevel::O3)
+          passes.addPass(ProductsPass());
+      });
   OptimizationLevel target = middle_end_level(level);
   ModulePassManager passes = target == OptimizationLevel::O0
                                  ? builder.buildO0DefaultPipeline(target)

@@ -12,13 +12,20 @@
 namespace llvm {
 namespace {
 
-/// Whether `inst` reads the low half of its data operands alone.
-bool reads_low_halves(const MachineInstr& inst) {
+/// Whether operand `index` of `inst`, a data register, is read beyond its low half.
+bool reads_upper_half(const MachineInstr& inst, unsigned index) {
   switch (inst.getOpcode()) {
     case Bfin::MULIS:
     case Bfin::MULFU:
-    case Bfin::MACIS0:
-    case Bfin::MACIS1:
+    case Bfin::MAC0:
+    case Bfin::MAC1:
+    case Bfin::MACGET0:
+    case Bfin::MACGET1:
+    case Bfin::MACMAC:
+      return inst.getOperand(index + 1).getImm() != 0;
+    case Bfin::PACKLO:
+      return index == 1;
+    case Bfin::PACKHI:
     case Bfin::ZXH:
     case Bfin::SXH:
     case Bfin::ZXB:
@@ -32,9 +39,9 @@ bool reads_low_halves(const MachineInstr& inst) {
     case Bfin::STB:
     case Bfin::STBInc:
     case Bfin::STBDec:
-      return true;
-    default:
       return false;
+    default:
+      return true;
   }
 }
 
@@ -83,9 +90,10 @@ Fate follow(MachineBasicBlock::const_instr_iterator begin, const MachineBasicBlo
     const bool passes_on = keeps_upper_half(inst) && inst.getOperand(0).getReg() == reg;
     // The counted or shifted source of such an instruction is read as a whole.
     const auto reads = count_if(inst.all_uses(), [&](const MachineOperand& use) {
-      return !use.isUndef() && tri.regsOverlap(use.getReg(), reg);
+      return !use.isUndef() && tri.regsOverlap(use.getReg(), reg) &&
+             reads_upper_half(inst, inst.getOperandNo(&use));
     });
-    if (reads > (passes_on ? 1 : 0) && !reads_low_halves(inst))
+    if (reads > (passes_on ? 1 : 0))
       return Fate::kRead;
     if (!passes_on && inst.modifiesRegister(reg, &tri))
       return Fate::kDead;

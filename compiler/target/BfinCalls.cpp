@@ -193,6 +193,9 @@ bool lowerBfinBuiltin(StringRef name, TargetLowering::CallLoweringInfo& call,
     values.push_back(dag.getNode(BfinISD::FROMCC, loc, MVT::i32, test.getValue(1)));
   } else if (name == "sum") {
     values.push_back(dag.getNode(BfinISD::SUM, loc, MVT::i32, argument(0), argument(1)));
+  } else if (name == "set_low" || name == "set_high") {
+    values.push_back(dag.getNode(name == "set_low" ? BfinISD::SETLO : BfinISD::SETHI, loc, MVT::i32,
+                                 argument(0), argument(1)));
   } else if (name == "ones") {
     values.push_back(dag.getNode(ISD::CTPOP, loc, MVT::i32, argument(0)));
   } else {

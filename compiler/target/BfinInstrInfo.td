@@ -28,6 +28,8 @@ def bfin_mulu16 : SDNode<"BfinISD::MULU16", SDT_Binary, [SDNPCommutative]>;
 def bfin_mulu16hl : SDNode<"BfinISD::MULU16HL", SDT_Binary>;
 def bfin_mulu16hh : SDNode<"BfinISD::MULU16HH", SDT_Binary, [SDNPCommutative]>;
 def bfin_sum : SDNode<"BfinISD::SUM", SDT_Binary, [SDNPCommutative]>;
+def bfin_setlo : SDNode<"BfinISD::SETLO", SDT_Binary>;
+def bfin_sethi : SDNode<"BfinISD::SETHI", SDT_Binary>;
 // Instructions that C reaches by name (finback/blackfin.h). All are ordered with memory.
 def bfin_csync : SDNode<"BfinISD::CSYNC", SDTNone, [SDNPHasChain, SDNPMayLoad, SDNPMayStore, SDNPSideEffect]>;
 def bfin_ssync : SDNode<"BfinISD::SSYNC", SDTNone, [SDNPHasChain, SDNPMayLoad, SDNPMayStore, SDNPSideEffect]>;
@@ -272,6 +274,10 @@ let Constraints = "$old = $rd", ReadsEarly = true in {
   def ONES : Dsp<(outs D:$rd), (ins D:$old, D:$ra), "${rd}.L = ONES $ra">;
 }
 def : Pat<(ctpop D:$ra), (ONES (MOVI 0), D:$ra)>;
+
+// One half of a word anew.
+def PACKLO : DspBinary<"$rd = PACK(${ra}.H, ${rb}.L)", [(set D:$rd, (bfin_setlo D:$ra, D:$rb))]>;
+def PACKHI : DspBinary<"$rd = PACK(${rb}.L, ${ra}.L)", [(set D:$rd, (bfin_sethi D:$ra, D:$rb))]>;
 
 // A sum modulo 2^32 whose exact value, summed up over a loop, is known to fit 40 bits.
 def SUM_X : Pseudo<(outs DP:$rd), (ins DP:$ra, DP:$rb), [(set DP:$rd, (bfin_sum DP:$ra, DP:$rb))]>;

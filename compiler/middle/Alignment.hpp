@@ -1,0 +1,21 @@
+// Tests at run time of what a faster form of a loop takes for granted.
+#pragma once
+
+#include <llvm/Analysis/ScalarEvolution.h>
+#include <llvm/IR/Instructions.h>
+
+namespace finback::compiler {
+
+/// Is it known to be a multiple of 4?
+[[nodiscard]] bool is_aligned(const llvm::SCEV* value, llvm::ScalarEvolution& scev);
+
+/// Can all of them be computed before `at`?
+[[nodiscard]] bool can_expand(llvm::ArrayRef<const llvm::SCEV*> values, llvm::ScalarEvolution& scev,
+                              llvm::Instruction* at);
+
+/// Whether there are `least` rounds and each of `values` is a multiple of 4, computed before `at`.
+[[nodiscard]] llvm::Value* write_test(const llvm::SCEV* rounds, unsigned least,
+                                      llvm::ArrayRef<const llvm::SCEV*> values,
+                                      llvm::ScalarEvolution& scev, llvm::Instruction* at);
+
+}  // namespace finback::compiler
