@@ -14,8 +14,7 @@ bool is_aligned(const SCEV* value, ScalarEvolution& scev) {
 
 bool can_expand(ArrayRef<const SCEV*> values, ScalarEvolution& scev, Instruction* at) {
   SCEVExpander expander(scev, at->getModule()->getDataLayout(), "test");
-  return all_of(values,
-                [&](const SCEV* value) { return expander.isSafeToExpandAt(value, at); });
+  return all_of(values, [&](const SCEV* value) { return expander.isSafeToExpandAt(value, at); });
 }
 
 Value* write_test(const SCEV* rounds, unsigned least, ArrayRef<const SCEV*> values,

@@ -24,8 +24,8 @@ struct Nest {
   SmallVector<const SCEV*, 4> aligned;
 };
 
-/// Is the factor of the next round of the outer loop the half behind the one of this round? Its start
-/// becomes that of the first round.
+/// Is the factor of the next round of the outer loop the half behind the one of this round? Its
+/// start becomes that of the first round.
 bool moves_by_halves(Factor& factor, const Loop& outer, ScalarEvolution& scev) {
   const auto* start = dyn_cast<SCEVAddRecExpr>(factor.start);
   if (start == nullptr || start->getLoop() != &outer || !start->isAffine() ||
@@ -41,8 +41,7 @@ bool shares_factor(Nest& nest, ScalarEvolution& scev) {
     const Factor& shared = nest.products.sums[0].factors[i];
     Factor own = nest.products.sums[0].factors[1 - i];
     if (!scev.isLoopInvariant(shared.start, nest.outer) ||
-        !scev.isLoopInvariant(shared.step, nest.outer) ||
-        !moves_by_halves(own, *nest.outer, scev))
+        !scev.isLoopInvariant(shared.step, nest.outer) || !moves_by_halves(own, *nest.outer, scev))
       continue;
     const bool sliding = goes_by_halves(own);
     if (sliding && !goes_by_halves(shared))
@@ -61,8 +60,8 @@ bool shares_factor(Nest& nest, ScalarEvolution& scev) {
   return false;
 }
 
-/// One way through the nest: what lies before the inner loop, it, one block behind it; and perhaps a
-/// branch around it.
+/// One way through the nest: what lies before the inner loop, it, one block behind it; and perhaps
+/// a branch around it.
 bool has_simple_form(Nest& nest) {
   Loop& outer = *nest.outer;
   const Loop& inner = *nest.products.loop;
@@ -79,8 +78,7 @@ bool has_simple_form(Nest& nest) {
       return false;
     if (block == latch || block == inner.getHeader() || branch->isUnconditional())
       continue;
-    const bool goes_around =
-        branch->getSuccessor(0) == latch || branch->getSuccessor(1) == latch;
+    const bool goes_around = branch->getSuccessor(0) == latch || branch->getSuccessor(1) == latch;
     if (nest.guard != nullptr || !goes_around || !outer.isLoopInvariant(branch->getCondition()))
       return false;
     nest.guard = branch;
@@ -178,8 +176,8 @@ void tidy(Loop& fast, const NestAnalyses& analyses) {
     MergeBlockIntoPredecessor(fast.getLoopLatch(), nullptr, &analyses.loops);
   analyses.dominators.recalculate(*fast.getHeader()->getParent());
   analyses.scev.forgetAllLoops();
-  simplifyLoop(&fast, &analyses.dominators, &analyses.loops, &analyses.scev,
-               &analyses.assumptions, nullptr, false);
+  simplifyLoop(&fast, &analyses.dominators, &analyses.loops, &analyses.scev, &analyses.assumptions,
+               nullptr, false);
   formLCSSARecursively(fast, analyses.dominators, &analyses.loops, &analyses.scev);
 }
 
@@ -193,15 +191,14 @@ std::optional<JammedNest> jam_products(const ProductLoop& products, const NestAn
   Loop* fast = add_fast_copy(nest, analyses, map);
   tidy(*fast, analyses);
   Loop* inner = fast->getSubLoops()[0];
-  Loop* left_over = nullptr;
   ScalarEvolution& scev = analyses.scev;
   if (isSafeToUnrollAndJam(fast, scev, analyses.dominators, analyses.dependences, analyses.loops))
     UnrollAndJamLoop(fast, 2, scev.getSmallConstantTripCount(fast),
                      scev.getSmallConstantTripMultiple(fast), false, &analyses.loops, &scev,
                      &analyses.dominators, &analyses.assumptions, &analyses.target,
-                     &analyses.remarks, &left_over);
+                     &analyses.remarks);
   scev.forgetAllLoops();
-  return JammedNest{inner, products.loop, left_over, nest.aligned};
+  return JammedNest{inner, nest.aligned};
 }
 
 }  // namespace finback::compiler

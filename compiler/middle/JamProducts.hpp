@@ -1,7 +1,7 @@
-// Two rounds of an outer loop at a time, where the loop within it is one sum of products that shares
-// a factor with the next round's: then each word that is loaded serves both sums. The nest is doubled
-// under run-time tests; LLVM's own unroll-and-jam does the rest. Nests that store what they load from
-// memory that may be the same are left alone.
+// Two rounds of an outer loop at a time, where the loop within it is one sum of products that
+// shares a factor with the next round's: then each word that is loaded serves both sums. The nest
+// is doubled under run-time tests; LLVM's own unroll-and-jam does the rest. Nests that store what
+// they load from memory that may be the same are left alone.
 #pragma once
 
 #include <llvm/Analysis/AliasAnalysis.h>
@@ -28,9 +28,7 @@ struct NestAnalyses {
 
 /// A nest of which the fast copy has been jammed.
 struct JammedNest {
-  llvm::Loop* inner;       // of the fast copy: two sums, at least two rounds
-  llvm::Loop* plain;       // the inner loop as it was
-  llvm::Loop* left_over;   // the nest for an odd round at the end, or null
+  llvm::Loop* inner;  // of the fast copy: two sums, at least two rounds
   llvm::SmallVector<const llvm::SCEV*, 4> aligned;  // known to be multiples of 4 in the fast copy
 };
 

@@ -148,14 +148,14 @@ Value* Writer::expand(const SCEV* value) {
   if (const auto* constant = dyn_cast<SCEVConstant>(value))
     return constant->getValue();
   SCEVExpander expander(scev_, function_.getParent()->getDataLayout(), "pairs");
-  return expander.expandCodeFor(value, value->getType(), plan_.products.loop->getLoopPreheader()
-                                                             ->getTerminator());
+  return expander.expandCodeFor(value, value->getType(),
+                                plan_.products.loop->getLoopPreheader()->getTerminator());
 }
 
 Value* Writer::load(Type* type, Value* address, const Factor& like, Align align) {
   LoadInst* load = builder_.CreateAlignedLoad(type, address, align);
-  load->copyMetadata(*like.load, {LLVMContext::MD_tbaa, LLVMContext::MD_alias_scope,
-                                  LLVMContext::MD_noalias});
+  load->copyMetadata(*like.load,
+                     {LLVMContext::MD_tbaa, LLVMContext::MD_alias_scope, LLVMContext::MD_noalias});
   return load;
 }
 
@@ -206,7 +206,8 @@ void Writer::write_columns(State& state) {
   }
 }
 
-/// The window holds the present half and the next one, in turns the one or the other in the low half.
+/// The window holds the present half and the next one, in turns the one or the other in the low
+/// half.
 void Writer::write_sliding(State& state) {
   Value* factors = load_word(state.shared, plan_.shared);
   Value* next = load_half(step(state.own, plan_.own, 1), plan_.own);
@@ -282,8 +283,8 @@ Writer::State Writer::write_strips(const State& first, Value* rounds) {
   PHINode* left = builder_.CreatePHI(word_, 2);
   left->addIncoming(rounds, entry);
   const State phis = phis_of(first, entry);
-  Value* now = builder_.CreateBinaryIntrinsic(Intrinsic::smin, left,
-                                              builder_.getInt32(most_rounds()));
+  Value* now =
+      builder_.CreateBinaryIntrinsic(Intrinsic::smin, left, builder_.getInt32(most_rounds()));
   State from_zero = phis;
   from_zero.sums.assign(2, builder_.getInt32(0));
   State next = write_rounds(from_zero, now);
@@ -332,9 +333,8 @@ Writer::State Writer::write_odd_round(const State& state, Value* rounds) {
 uint32_t Writer::most_rounds() const {
   if (plan_.pairing == Pairing::kLanes)
     return kMostProducts;
-  const bool must_fit = all_of(plan_.products.sums, [](const ProductSum& sum) {
-    return sum.next->hasNoSignedWrap();
-  });
+  const bool must_fit = all_of(plan_.products.sums,
+                               [](const ProductSum& sum) { return sum.next->hasNoSignedWrap(); });
   return must_fit ? 0 : kMostProducts / 2;
 }
 

@@ -1,8 +1,8 @@
-// Loops of sums of products two rounds at a time, so that both multipliers are busy: halves come two
-// in a word, and each of two sums takes two products a round. A single sum is split in the sum of the
-// even and that of the odd products. What the accumulators need, that exact sums fit 40 bits, is seen
-// to here: the loop's sums begin at 0 and end after 511 products at most, unless C's own sums must not
-// overflow and are not split.
+// Loops of sums of products two rounds at a time, so that both multipliers are busy: halves come
+// two in a word, and each of two sums takes two products a round. A single sum is split in the sum
+// of the even and that of the odd products. What the accumulators need, that exact sums fit 40
+// bits, is seen to here: the loop's sums begin at 0 and end after 511 products at most, unless C's
+// own sums must not overflow and are not split.
 //
 // Words must lie at multiples of 4: the caller knows of the addresses, or asks at run time.
 #pragma once
@@ -21,9 +21,9 @@ enum class Pairing {
 struct PairPlan {
   ProductLoop products;
   Pairing pairing;
-  Factor shared;                              // of both sums; the lanes' first factor
-  Factor own;                                 // of the first sum; the lanes' second factor
-  bool shared_in_words;                       // two halves of `shared` are loaded as one word
+  Factor shared;                                    // of both sums; the lanes' first factor
+  Factor own;                                       // of the first sum; the lanes' second factor
+  bool shared_in_words;                             // two halves of `shared` are loaded as one word
   llvm::SmallVector<const llvm::SCEV*, 4> aligned;  // what must be multiples of 4
 };
 
@@ -37,7 +37,8 @@ struct PairedSums {
   llvm::SmallVector<llvm::Value*, 2> values;
 };
 
-/// Writes the paired loop behind `before`, which has no terminator yet. There are at least two rounds.
+/// Writes the paired loop behind `before`, which has no terminator yet. There are at least two
+/// rounds.
 [[nodiscard]] PairedSums write_pairs(const PairPlan& plan, llvm::ScalarEvolution& scev,
                                      llvm::BasicBlock* before);
 

@@ -17,8 +17,7 @@ bool match_factor(Value* value, const Loop& loop, ScalarEvolution& scev, Factor&
       !factor.load->getType()->isIntegerTy(16) || factor.load->getPointerAddressSpace() != 0 ||
       factor.load->getParent() != loop.getHeader())
     return false;
-  const auto* address =
-      dyn_cast<SCEVAddRecExpr>(scev.getSCEV(factor.load->getPointerOperand()));
+  const auto* address = dyn_cast<SCEVAddRecExpr>(scev.getSCEV(factor.load->getPointerOperand()));
   if (address == nullptr || address->getLoop() != &loop || !address->isAffine())
     return false;
   factor.start = address->getStart();

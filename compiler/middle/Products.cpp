@@ -19,8 +19,8 @@ constexpr unsigned kLeastRounds = 8;  // fewer are not worth the tests
 
 using Heads = SmallPtrSet<const BasicBlock*, 8>;
 
-/// Leads from `from`, the loop's way in, through the paired loop to where the loop leads. A null test:
-/// always; the loop itself goes.
+/// Leads from `from`, the loop's way in, through the paired loop to where the loop leads. A null
+/// test: always; the loop itself goes.
 void pair(const PairPlan& plan, ScalarEvolution& scev, Value* test) {
   const Loop& loop = *plan.products.loop;
   BasicBlock* before = loop.getLoopPreheader();
@@ -54,8 +54,8 @@ bool pair_under_test(const ProductLoop& products, ScalarEvolution& scev) {
     return false;
   Instruction* at = products.loop->getLoopPreheader()->getTerminator();
   SmallVector<const SCEV*, 8> wanted(plan->aligned.begin(), plan->aligned.end());
-  wanted.append({products.rounds, plan->own.start, plan->own.step, plan->shared.start,
-                 plan->shared.step});
+  wanted.append(
+      {products.rounds, plan->own.start, plan->own.step, plan->shared.start, plan->shared.step});
   if (!can_expand(wanted, scev, at))
     return false;
   pair(*plan, scev, write_test(products.rounds, kLeastRounds / 2, plan->aligned, scev, at));
@@ -86,13 +86,16 @@ bool visit(Loop& loop, const NestAnalyses& analyses, Heads& done) {
   const std::optional<ProductLoop> products = match_product_loop(loop, analyses.scev);
   if (!products)
     return false;
+  Heads before;
+  for (const Loop* other : analyses.loops.getLoopsInPreorder())
+    before.insert(other->getHeader());
   const std::optional<JammedNest> nest = jam_products(*products, analyses);
   if (!nest)
     return pair_under_test(*products, analyses.scev);
-  done.insert(nest->inner->getHeader());
-  if (nest->left_over != nullptr)
-    for (const BasicBlock* block : nest->left_over->blocks())
-      done.insert(block);
+  // An odd round at the end, and the copy itself.
+  for (const Loop* other : analyses.loops.getLoopsInPreorder())
+    if (!before.contains(other->getHeader()))
+      done.insert(other->getHeader());
   pair_jammed(*nest, analyses.scev);
   return true;
 }

@@ -1,10 +1,11 @@
-// Sums of products of halves live in the accumulators while their loop runs: multiply and add are one
-// instruction, and two products of the same two registers, one for each accumulator, are one, too.
-// Looks at loops of one block on a loop counter, and takes the two sums with the most products.
+// Sums of products of halves live in the accumulators while their loop runs: multiply and add are
+// one instruction, and two products of the same two registers, one for each accumulator, are one,
+// too. Looks at loops of one block on a loop counter, and takes the two sums with the most
+// products.
 //
-// The accumulators have 40 bits and saturate, C's sums have 32 and wrap: only sums are taken that must
-// not overflow (nsw), or whose maker knows that 40 bits hold them (SUM_X). Handlers of interrupts do
-// without: they would have to save the accumulators.
+// The accumulators have 40 bits and saturate, C's sums have 32 and wrap: only sums are taken that
+// must not overflow (nsw), or whose maker knows that 40 bits hold them (SUM_X). Handlers of
+// interrupts do without: they would have to save the accumulators.
 #include <llvm/CodeGen/MachineFunctionPass.h>
 #include <llvm/CodeGen/MachineInstrBuilder.h>
 #include <llvm/CodeGen/MachineRegisterInfo.h>
@@ -134,9 +135,8 @@ bool BfinAccumulators::find_sum(MachineInstr& phi, Sum& sum) const {
   if (!collect(phi.getOperand(own).getReg(), false, sum) || !sum.found_phi || sum.adds.empty())
     return false;
   sum.used_within =
-      any_of(regs_->use_nodbg_instructions(sum.result()), [&](const MachineInstr& use) {
-        return &use != &phi && use.getParent() == &block;
-      });
+      any_of(regs_->use_nodbg_instructions(sum.result()),
+             [&](const MachineInstr& use) { return &use != &phi && use.getParent() == &block; });
   // To fetch the sum in each pass pays from two products on, and fetching saturates.
   return !sum.used_within ||
          (sum.products.size() >= 2 && sum.adds.front()->getOpcode() != Bfin::SUM_X);
@@ -156,9 +156,9 @@ void BfinAccumulators::fetch(Sum& sum, const Accumulator& accumulator, const Loo
   const Product product = sum.products.back();
   sum.products.pop_back();
   regs_->setRegClass(result, accumulator.results);
-  auto inst = BuildMI(*loop.block, last, last.getDebugLoc(), tii_->get(accumulator.multiply_get),
-                      result)
-                  .addImm(product.taken_off);
+  auto inst =
+      BuildMI(*loop.block, last, last.getDebugLoc(), tii_->get(accumulator.multiply_get), result)
+          .addImm(product.taken_off);
   for (const unsigned i : {1U, 2U, 3U, 4U})
     inst.add(product.inst->getOperand(i));
   product.inst->eraseFromParent();
@@ -235,7 +235,8 @@ bool BfinAccumulators::visit(Loop& loop) {
     if (find_sum(phi, sum))
       sums.push_back(std::move(sum));
   }
-  stable_sort(sums, [](const Sum& a, const Sum& b) { return a.products.size() > b.products.size(); });
+  stable_sort(sums,
+              [](const Sum& a, const Sum& b) { return a.products.size() > b.products.size(); });
   // The results are fetched where only this loop leads.
   if (!sums.empty() && loop.after->pred_size() != 1)
     loop.after = loop.block->SplitCriticalEdge(loop.after, *this);

@@ -85,9 +85,9 @@ SDValue BfinTargetLowering::PerformDAGCombine(SDNode* node, DAGCombinerInfo& inf
 
 const char* BfinTargetLowering::getTargetNodeName(unsigned opcode) const {
   static constexpr const char* kNames[] = {
-      "CALL",   "RET",   "RETI",   "SYMBOL",   "CMP",      "BITTST", "JCC",   "SELECT",
-      "FROMCC", "NOTCC", "MULU16", "MULU16HL", "MULU16HH", "SUM", "SETLO", "SETHI", "CSYNC",  "SSYNC", "IDLE",
-      "NOP",    "CLI",   "STI",    "RAISE",    "EXCPT",    "TESTSET"};
+      "CALL",  "RET",    "RETI",     "SYMBOL",   "CMP",   "BITTST", "JCC",    "SELECT", "FROMCC",
+      "NOTCC", "MULU16", "MULU16HL", "MULU16HH", "SUM",   "SETLO",  "SETHI",  "CSYNC",  "SSYNC",
+      "IDLE",  "NOP",    "CLI",      "STI",      "RAISE", "EXCPT",  "TESTSET"};
   unsigned index = opcode - BfinISD::CALL;
   return opcode >= BfinISD::CALL && index < std::size(kNames) ? kNames[index] : nullptr;
 }

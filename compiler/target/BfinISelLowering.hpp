@@ -23,8 +23,8 @@ enum NodeType : unsigned {
   MULU16,    ///< low half x low half, unsigned
   MULU16HL,  ///< high half x low half
   MULU16HH,
-  SUM,       ///< as ADD; exact sums fit 40 bits
-  SETLO,     ///< a word, and what its low half becomes
+  SUM,    ///< as ADD; exact sums fit 40 bits
+  SETLO,  ///< a word, and what its low half becomes
   SETHI,
   CSYNC,
   SSYNC,

@@ -24,7 +24,7 @@ std::string loop_of(const std::string& body) {
 TEST_F(Quality, SmallLoopsLoadAhead) {
   const std::string loop = loop_of(
       function_of(compile("int f(const short *x, const short *y, int n) {\n  int s = 0;\n"
-                          "  for (int i = 0; i < n; i++) s += x[i] * y[i];\n  return s;\n}\n"),
+                          "  for (int i = 0; i < n; i++) s += x[i] * y[-i];\n  return s;\n}\n"),
                   "f"));
   EXPECT_EQ(count(loop, ";"), 1) << loop;
   EXPECT_EQ(count(loop, "A0 += R1.L * R0.L (IS) || R0 = W[P0++] (X) || R1.L = W[I"), 1) << loop;
@@ -88,7 +88,7 @@ TEST_F(Quality, SumsThatWrapAndHandlersKeepOffTheAccumulators) {
   const std::string text = compile(
       "#include <finback/blackfin.h>\nextern short a[], b[];\nextern volatile int out;\n"
       "unsigned wrap(int n) {\n  unsigned s = 0;\n"
-      "  for (int i = 0; i < n; i++) s += (unsigned)(a[i] * b[i]);\n  return s;\n}\n"
+      "  for (int i = 0; i < n; i++) s += (unsigned)(a[i] * b[-i]);\n  return s;\n}\n"
       "FINBACK_INTERRUPT void handler(void) {\n  int s = 0;\n"
       "  for (int i = 0; i < 9; i++) s += a[i] * b[i];\n  out = s;\n}\n");
   EXPECT_EQ(count(function_of(text, "wrap"), "A0"), 0) << text;
