@@ -32,11 +32,6 @@ unsigned slot_of(const MachineInstr& inst, const BfinInstrInfo& tii) {
   return dsp_form(inst.getOpcode()) != 0 ? unsigned{BfinII::kDspSlot} : slot;
 }
 
-bool is_shift_by_number(const MachineInstr& inst) {
-  unsigned opcode = inst.getOpcode();
-  return opcode == Bfin::SHLI || opcode == Bfin::SRLI || opcode == Bfin::SRAI;
-}
-
 bool stores_pointer(const MachineInstr& inst) {
   if (!inst.mayStore())
     return false;
@@ -74,7 +69,7 @@ bool PacketDag::slots_allow(const Packet& packet, const SUnit& unit) const {
     const MachineInstr& inst = *one.getInstr();
     ++filled[slot_of(inst, tii_)];
     stores += inst.mayStore() ? 1 : 0;
-    shift |= is_shift_by_number(inst);
+    shift |= BfinII::shiftsByNumber(inst.getDesc());
     pointer_stored |= stores_pointer(inst);
   };
   for (const SUnit* one : packet)

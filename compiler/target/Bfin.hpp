@@ -22,6 +22,8 @@ void initializeBfinTarget();
 FunctionPass* createBfinISelDag(BfinTargetMachine& machine, CodeGenOptLevel level);
 /// Decides which loops of the machine code run on LC0 and LC1; turns the others into count downs.
 FunctionPass* createBfinHardwareLoops();
+/// Accesses through a pointer that steps over several become ones that step.
+FunctionPass* createBfinSteppedAccesses();
 /// Keeps sums of products in A0 and A1 while their loop runs.
 FunctionPass* createBfinAccumulators();
 /// Loads for a loop's next pass at the end of the present one.

@@ -26,16 +26,16 @@ BfinTargetLowering::BfinTargetLowering(const TargetMachine& machine, const BfinS
   MaxStoresPerMemmove = MaxStoresPerMemmoveOptSize = 4;
   MaxStoresPerMemset = MaxStoresPerMemsetOptSize = 8;
 
-  for (unsigned op : {ISD::BR_CC, ISD::SELECT_CC, ISD::SETCC, ISD::GlobalAddress,
-                      ISD::ExternalSymbol, ISD::ConstantPool, ISD::JumpTable, ISD::BlockAddress,
-                      ISD::UMUL_LOHI, ISD::MULHU, ISD::SHL_PARTS, ISD::SRL_PARTS, ISD::SRA_PARTS})
+  for (unsigned op :
+       {ISD::BR_CC, ISD::SELECT_CC, ISD::SETCC, ISD::GlobalAddress, ISD::ExternalSymbol,
+        ISD::ConstantPool, ISD::JumpTable, ISD::BlockAddress, ISD::UMUL_LOHI, ISD::MULHU, ISD::ABS,
+        ISD::SHL_PARTS, ISD::SRL_PARTS, ISD::SRA_PARTS})
     setOperationAction(op, MVT::i32, Custom);
   for (unsigned op : {ISD::VASTART, ISD::ATOMIC_FENCE, ISD::TRAP})
     setOperationAction(op, MVT::Other, Custom);
-  // ABS, too, is expanded: the machine's own saturates, C's smallest integer stays itself.
   for (unsigned op :
-       {ISD::ABS, ISD::SELECT, ISD::SDIVREM, ISD::UDIVREM, ISD::SMUL_LOHI, ISD::MULHS, ISD::ROTL,
-        ISD::ROTR, ISD::BSWAP, ISD::BITREVERSE, ISD::CTLZ, ISD::CTTZ, ISD::CTLZ_ZERO_UNDEF,
+       {ISD::SELECT, ISD::SDIVREM, ISD::UDIVREM, ISD::SMUL_LOHI, ISD::MULHS, ISD::ROTL, ISD::ROTR,
+        ISD::BSWAP, ISD::BITREVERSE, ISD::CTLZ, ISD::CTTZ, ISD::CTLZ_ZERO_UNDEF,
         ISD::CTTZ_ZERO_UNDEF, ISD::DYNAMIC_STACKALLOC, ISD::UMIN, ISD::UMAX})
     setOperationAction(op, MVT::i32, Expand);
   for (unsigned op : {ISD::BRCOND, ISD::BR_JT, ISD::VAARG, ISD::VACOPY, ISD::VAEND, ISD::STACKSAVE,
@@ -48,7 +48,7 @@ BfinTargetLowering::BfinTargetLowering(const TargetMachine& machine, const BfinS
   setOperationAction(ISD::SIGN_EXTEND_INREG, MVT::i1, Expand);
   for (unsigned extension : {ISD::EXTLOAD, ISD::ZEXTLOAD, ISD::SEXTLOAD})
     setLoadExtAction(extension, MVT::i32, MVT::i1, Promote);
-  setTargetDAGCombine(ISD::MUL);
+  setTargetDAGCombine({ISD::MUL, ISD::OR});
   for (MVT type : {MVT::i8, MVT::i16, MVT::i32})
     for (unsigned mode : {ISD::POST_INC, ISD::POST_DEC}) {
       setIndexedLoadAction(mode, type, Legal);
@@ -80,14 +80,15 @@ static SDValue combine_product(SDNode* product, SelectionDAG& dag) {
 }
 
 SDValue BfinTargetLowering::PerformDAGCombine(SDNode* node, DAGCombinerInfo& info) const {
-  return node->getOpcode() == ISD::MUL ? combine_product(node, info.DAG) : SDValue();
+  return node->getOpcode() == ISD::MUL ? combine_product(node, info.DAG)
+                                       : combineBfinBitString(node, info);
 }
 
 const char* BfinTargetLowering::getTargetNodeName(unsigned opcode) const {
   static constexpr const char* kNames[] = {
-      "CALL",  "RET",    "RETI",     "SYMBOL",   "CMP",   "BITTST", "JCC",    "SELECT", "FROMCC",
-      "NOTCC", "MULU16", "MULU16HL", "MULU16HH", "SUM",   "SETLO",  "SETHI",  "CSYNC",  "SSYNC",
-      "IDLE",  "NOP",    "CLI",      "STI",      "RAISE", "EXCPT",  "TESTSET"};
+      "CALL",  "RET",   "RETI",   "SYMBOL",   "CMP",      "BITTST", "JCC",   "SELECT", "FROMCC",
+      "ROTCC", "NOTCC", "MULU16", "MULU16HL", "MULU16HH", "SUM",    "SETLO", "SETHI",  "CSYNC",
+      "SSYNC", "IDLE",  "NOP",    "CLI",      "STI",      "RAISE",  "EXCPT", "TESTSET"};
   unsigned index = opcode - BfinISD::CALL;
   return opcode >= BfinISD::CALL && index < std::size(kNames) ? kNames[index] : nullptr;
 }
@@ -109,6 +110,9 @@ SDValue BfinTargetLowering::LowerOperation(SDValue op, SelectionDAG& dag) const 
     case ISD::UMUL_LOHI:
     case ISD::MULHU:
       return lower_wide_product(op, dag);
+    case ISD::ABS:
+      // The machine's own saturates, C's smallest integer stays itself.
+      return dag.ComputeNumSignBits(op.getOperand(0)) > 1 ? op : expandABS(op.getNode(), dag);
     case ISD::SHL_PARTS:
     case ISD::SRL_PARTS:
     case ISD::SRA_PARTS: {

@@ -19,6 +19,7 @@ enum NodeType : unsigned {
   JCC,     ///< chain, block, sense, glue
   SELECT,  ///< then, otherwise, sense, glue
   FROMCC,  ///< glue -> 0 or 1
+  ROTCC,   ///< value, glue -> 2 value + (0 or 1)
   NOTCC,
   MULU16,    ///< low half x low half, unsigned
   MULU16HL,  ///< high half x low half
@@ -90,5 +91,8 @@ class BfinTargetLowering : public TargetLowering {
 /// One of finback/blackfin.h's functions, called: its node's results, or nothing if `name` is none.
 bool lowerBfinBuiltin(StringRef name, TargetLowering::CallLoweringInfo& call,
                       SmallVectorImpl<SDValue>& values, SDValue& chain);
+
+/// An OR of flags and of what stands above them, by rotations through CC; nothing if it is none.
+SDValue combineBfinBitString(SDNode* node, TargetLowering::DAGCombinerInfo& info);
 
 }  // namespace llvm

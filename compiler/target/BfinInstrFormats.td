@@ -20,8 +20,10 @@ class BfinInst<int bytes, dag outs, dag ins, string text, list<dag> pattern = []
 
   Slot IssueSlot = Alone;
   bit ReadsEarly = false; // wants its operands in EX1: an ALU result just before costs a stall
+  bit ShiftsByNumber = false; // never beside a store of a P register: anomaly 05000074
   let TSFlags{1-0} = IssueSlot.Value;
   let TSFlags{2} = ReadsEarly;
+  let TSFlags{3} = ShiftsByNumber;
 }
 
 class Pseudo<dag outs, dag ins, list<dag> pattern = []> : BfinInst<4, outs, ins, "", pattern> {

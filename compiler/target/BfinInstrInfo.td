@@ -11,6 +11,7 @@ def SDT_Select : SDTypeProfile<1, 3, [SDTCisVT<0, i32>, SDTCisVT<1, i32>, SDTCis
 def SDT_FromCC : SDTypeProfile<1, 0, [SDTCisVT<0, i32>]>;
 def SDT_Unary : SDTypeProfile<1, 1, [SDTCisVT<0, i32>, SDTCisVT<1, i32>]>;
 def SDT_Binary : SDTypeProfile<1, 2, [SDTCisVT<0, i32>, SDTCisVT<1, i32>, SDTCisVT<2, i32>]>;
+def SDT_RotateCC : SDTypeProfile<1, 1, [SDTCisVT<0, i32>, SDTCisVT<1, i32>]>;
 def SDT_Result : SDTypeProfile<1, 0, [SDTCisVT<0, i32>]>;
 def SDT_Operand : SDTypeProfile<0, 1, [SDTCisVT<0, i32>]>;
 
@@ -23,6 +24,7 @@ def bfin_bittst : SDNode<"BfinISD::BITTST", SDT_BitTest, [SDNPOutGlue]>;
 def bfin_jcc : SDNode<"BfinISD::JCC", SDT_Branch, [SDNPHasChain, SDNPInGlue]>;
 def bfin_select : SDNode<"BfinISD::SELECT", SDT_Select, [SDNPInGlue]>;
 def bfin_fromcc : SDNode<"BfinISD::FROMCC", SDT_FromCC, [SDNPInGlue]>;
+def bfin_rotcc : SDNode<"BfinISD::ROTCC", SDT_RotateCC, [SDNPInGlue]>;
 def bfin_notcc : SDNode<"BfinISD::NOTCC", SDTNone, [SDNPInGlue, SDNPOutGlue]>;
 def bfin_mulu16 : SDNode<"BfinISD::MULU16", SDT_Binary, [SDNPCommutative]>;
 def bfin_mulu16hl : SDNode<"BfinISD::MULU16HL", SDT_Binary>;
@@ -240,7 +242,9 @@ let AddedComplexity = 8 in {
 }
 
 class ShiftByNumber<string sign, SDNode node>
-    : Dsp<(outs D:$rd), (ins D:$ra, i32imm:$n), "$rd = $ra "#sign#" $n", [(set D:$rd, (node D:$ra, uimm5:$n))]>;
+    : Dsp<(outs D:$rd), (ins D:$ra, i32imm:$n), "$rd = $ra "#sign#" $n", [(set D:$rd, (node D:$ra, uimm5:$n))]> {
+  let ShiftsByNumber = true;
+}
 def SHLI : ShiftByNumber<"<<", shl>;
 def SRLI : ShiftByNumber<">>", srl>;
 def SRAI : ShiftByNumber<">>>", sra>;
@@ -268,6 +272,7 @@ let ReadsEarly = true in {
 def : Pat<(bfin_mulu16 D:$ra, D:$rb), (MULFU D:$ra, 0, D:$rb, 0)>;
 def : Pat<(bfin_mulu16hl D:$ra, D:$rb), (MULFU D:$ra, 1, D:$rb, 0)>;
 def : Pat<(bfin_mulu16hh D:$ra, D:$rb), (MULFU D:$ra, 1, D:$rb, 1)>;
+def ABS : Dsp<(outs D:$rd), (ins D:$ra), "$rd = ABS $ra", [(set D:$rd, (abs D:$ra))]>;
 def SUBNS : DspBinary<"$rd = $ra - $rb (NS)", []>;
 // The count lands in the low half; the high half keeps what it held.
 let Constraints = "$old = $rd", ReadsEarly = true in {
@@ -337,6 +342,8 @@ let isCompare = true in {
 }
 let Uses = [CC] in {
   def FROMCC : BfinInst<2, (outs D:$rd), (ins), "$rd = CC", [(set D:$rd, (bfin_fromcc))]>;
+  let Defs = [CC], ShiftsByNumber = true in
+  def ROTCC : Dsp<(outs D:$rd), (ins D:$ra), "$rd = ROT $ra BY 1", [(set D:$rd, (bfin_rotcc D:$ra))]>;
   let Defs = [CC] in
   def NOTCC : BfinInst<2, (outs), (ins), "CC = !CC", [(bfin_notcc)]>;
   let Constraints = "$otherwise = $rd" in {

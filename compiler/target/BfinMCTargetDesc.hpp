@@ -21,6 +21,7 @@ namespace BfinII {
 enum Slot : unsigned { kAlone = 0, kDspSlot = 1, kMemSlot = 2, kIndexSlot = 3 };
 inline unsigned getSlot(const MCInstrDesc& desc) { return desc.TSFlags & 3; }
 inline bool readsEarly(const MCInstrDesc& desc) { return (desc.TSFlags & 4) != 0; }
+inline bool shiftsByNumber(const MCInstrDesc& desc) { return (desc.TSFlags & 8) != 0; }
 }  // namespace BfinII
 
 class BfinMCAsmInfo : public MCAsmInfo {

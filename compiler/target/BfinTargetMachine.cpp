@@ -74,6 +74,7 @@ class BfinPassConfig : public TargetPassConfig {
   }
 
   void addMachineSSAOptimization() override {
+    addPass(createBfinSteppedAccesses());
     addPass(createBfinHardwareLoops());
     addPass(createBfinAccumulators());
     addPass(createBfinRotateLoops());

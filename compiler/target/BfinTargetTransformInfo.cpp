@@ -56,6 +56,17 @@ InstructionCost BfinTTIImpl::getIntImmCostInst(unsigned opcode, unsigned index, 
   return cost <= TTI::TCC_Basic ? InstructionCost(TTI::TCC_Free) : cost;
 }
 
+/// Values that pass from name to name, as neighbours in a window do, cost a move a round; two
+/// rounds at once cost none.
+static bool hands_values_on(const Loop& loop) {
+  const BasicBlock* latch = loop.getLoopLatch();
+  return loop.getNumBlocks() == 1 && latch != nullptr &&
+         any_of(loop.getHeader()->phis(), [&](const PHINode& phi) {
+           const auto* next = dyn_cast<PHINode>(phi.getIncomingValueForBlock(latch));
+           return next != nullptr && next != &phi && next->getParent() == loop.getHeader();
+         });
+}
+
 void BfinTTIImpl::getUnrollingPreferences(Loop* loop, ScalarEvolution& scev,
                                           TTI::UnrollingPreferences& prefs,
                                           OptimizationRemarkEmitter* remarks) {
@@ -66,6 +77,10 @@ void BfinTTIImpl::getUnrollingPreferences(Loop* loop, ScalarEvolution& scev,
   prefs.UpperBound = false;
   prefs.Threshold = 60;
   prefs.FullUnrollMaxCount = 8;
+  if (hands_values_on(*loop)) {
+    prefs.Partial = true;
+    prefs.Count = 2;
+  }
 }
 
 /// Does the loop's body contain a call that will remain one? Declarations named __builtin_bfin_*

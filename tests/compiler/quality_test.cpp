@@ -191,5 +191,25 @@ TEST_F(Quality, SumsOfAbsoluteDifferencesAreOneCall) {
   EXPECT_EQ(count(function_of(text, "until"), "CALL"), 0) << text;
 }
 
+// A census: each comparison's outcome is rotated in; the row's window is read byte by byte, and its
+// values keep their registers.
+TEST_F(Quality, FlagsAreRotatedIntoStrings) {
+  const Finished compiled =
+      cc({"-O2", "-o", "census.bir", FINBACK_SOURCE_DIR "/benchmarks/compiler/census_row.c"});
+  ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
+  const std::string loop = loop_of(function_of(read("census.bir"), "census_row"));
+  EXPECT_EQ(count(loop, " = ROT "), 14) << "eight flags, two rounds\n" << loop;
+  EXPECT_EQ(count(loop, " | "), 0) << loop;
+  EXPECT_EQ(count(loop, "++]"), 6) << loop;
+}
+
+TEST_F(Quality, AbsIsOneInstructionWhereTheSmallestIntegerCannotCome) {
+  const std::string text = compile(
+      "int f(short a, short b) { return __builtin_abs(a - b); }\n"
+      "int g(int a) { return __builtin_abs(a); }\n");
+  EXPECT_EQ(count(function_of(text, "f"), "ABS"), 1) << text;
+  EXPECT_EQ(count(function_of(text, "g"), "ABS"), 0) << text;
+}
+
 }  // namespace
 }  // namespace finback::compiler
