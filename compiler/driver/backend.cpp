@@ -18,6 +18,7 @@
 #include "../target/BfinAsmPrinter.hpp"
 #include "../target/BfinMCTargetDesc.hpp"
 #include "../target/BfinMachineFunctionInfo.hpp"
+#include "../target/BfinNamedInstructions.hpp"
 #include "../target/BfinTargetMachine.hpp"
 #include "../target/BirStreamer.hpp"
 
@@ -153,7 +154,10 @@ std::unique_ptr<BfinTargetMachine> make_machine(const Module& module) {
 
 }  // namespace
 
-void prepare(Module& module) { mark_handlers(module); }
+void prepare(Module& module) {
+  mark_handlers(module);
+  describeNamedInstructions(module);
+}
 
 std::string generate(Module& module, const Options& options) {
   std::unique_ptr<BfinTargetMachine> machine = make_machine(module);

@@ -6,6 +6,7 @@
 #include <llvm/IR/Instructions.h>
 
 #include "../target/BfinMachineFunctionInfo.hpp"
+#include "../target/BfinNamedInstructions.hpp"
 
 namespace finback::compiler {
 namespace {
@@ -49,21 +50,7 @@ std::string problem_of_assembly(const CallBase& call) {
 std::string problem_of_call(const CallBase& call) {
   if (call.isInlineAsm())
     return problem_of_assembly(call);
-  const Function* callee = call.getCalledFunction();
-  if (callee == nullptr || !callee->getName().starts_with("__builtin_bfin_"))
-    return "";
-  StringRef name = callee->getName().substr(15);
-  if (name == "raise" || name == "excpt") {
-    const auto* number = dyn_cast<ConstantInt>(call.getArgOperand(0));
-    return number != nullptr && number->getZExtValue() < 16
-               ? ""
-               : ("the argument of " + callee->getName() + " must be a constant from 0 to 15")
-                     .str();
-  }
-  static constexpr const char* kKnown[] = {"csync", "ssync", "idle",    "nop",
-                                           "cli",   "sti",   "testset", "ones"};
-  return is_contained(kKnown, name) ? ""
-                                    : ("there is no instruction behind " + callee->getName()).str();
+  return isNamedInstruction(call.getCalledFunction()) ? problemOfNamedInstruction(call) : "";
 }
 
 std::string problem_of(const Instruction& inst) {

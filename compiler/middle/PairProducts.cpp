@@ -159,7 +159,7 @@ Value* Writer::load(Type* type, Value* address, const Factor& like, Align align)
   return load;
 }
 
-/// Of the back end's own (BfinCalls.cpp).
+/// Of the back end's own (BfinNamedInstructions.cpp).
 Value* Writer::call(StringRef name, Value* a, Value* b) {
   AttributeList attributes;
   for (const Attribute::AttrKind kind : {Attribute::NoUnwind, Attribute::WillReturn})

@@ -1,9 +1,10 @@
-// Arguments, calls, results, and the functions of finback/blackfin.h.
+// Arguments, calls, results.
 #include <llvm/CodeGen/CallingConvLower.h>
 #include <llvm/CodeGen/MachineFrameInfo.h>
 #include <llvm/CodeGen/SelectionDAG.h>
 
 #include "BfinMachineFunctionInfo.hpp"
+#include "BfinNamedLowering.hpp"
 #include "BfinSubtarget.hpp"
 
 namespace llvm {
@@ -70,7 +71,7 @@ SDValue BfinTargetLowering::LowerCall(CallLoweringInfo& call,
   SDValue chain = call.Chain;
   SDValue callee = call.Callee;
   if (auto* global = dyn_cast<GlobalAddressSDNode>(callee)) {
-    if (lowerBfinBuiltin(global->getGlobal()->getName(), call, values, chain))
+    if (lowerNamedInstruction(global->getGlobal()->getName(), call, values, chain))
       return chain;
     callee = dag.getTargetGlobalAddress(global->getGlobal(), loc, MVT::i32, global->getOffset());
   } else if (auto* symbol = dyn_cast<ExternalSymbolSDNode>(callee)) {
@@ -158,50 +159,6 @@ SDValue BfinTargetLowering::LowerReturn(SDValue chain, CallingConv::ID conventio
     operands.push_back(glue);
   bool handler = isInterruptHandler(function.getFunction());
   return dag.getNode(handler ? BfinISD::RETI : BfinISD::RET, loc, MVT::Other, operands);
-}
-
-bool lowerBfinBuiltin(StringRef name, TargetLowering::CallLoweringInfo& call,
-                      SmallVectorImpl<SDValue>& values, SDValue& chain) {
-  if (!name.consume_front("__builtin_bfin_"))
-    return false;
-  SelectionDAG& dag = call.DAG;
-  const SDLoc& loc = call.DL;
-  auto argument = [&](unsigned i) { return call.OutVals[i]; };
-  auto plain = [&](unsigned opcode) { chain = dag.getNode(opcode, loc, MVT::Other, chain); };
-  if (name == "csync") {
-    plain(BfinISD::CSYNC);
-  } else if (name == "ssync") {
-    plain(BfinISD::SSYNC);
-  } else if (name == "idle") {
-    plain(BfinISD::IDLE);
-  } else if (name == "nop") {
-    plain(BfinISD::NOP);
-  } else if (name == "cli") {
-    chain = dag.getNode(BfinISD::CLI, loc, dag.getVTList(MVT::i32, MVT::Other), chain).getValue(1);
-    values.push_back(chain.getValue(0));
-  } else if (name == "sti") {
-    chain = dag.getNode(BfinISD::STI, loc, MVT::Other, chain, argument(0));
-  } else if (name == "raise" || name == "excpt") {
-    unsigned opcode = name == "raise" ? BfinISD::RAISE : BfinISD::EXCPT;
-    SDValue number =
-        dag.getTargetConstant(cast<ConstantSDNode>(argument(0))->getZExtValue(), loc, MVT::i32);
-    chain = dag.getNode(opcode, loc, MVT::Other, chain, number);
-  } else if (name == "testset") {
-    SDValue test = dag.getNode(BfinISD::TESTSET, loc, dag.getVTList(MVT::Other, MVT::Glue), chain,
-                               argument(0));
-    chain = test;
-    values.push_back(dag.getNode(BfinISD::FROMCC, loc, MVT::i32, test.getValue(1)));
-  } else if (name == "sum") {
-    values.push_back(dag.getNode(BfinISD::SUM, loc, MVT::i32, argument(0), argument(1)));
-  } else if (name == "set_low" || name == "set_high") {
-    values.push_back(dag.getNode(name == "set_low" ? BfinISD::SETLO : BfinISD::SETHI, loc, MVT::i32,
-                                 argument(0), argument(1)));
-  } else if (name == "ones") {
-    values.push_back(dag.getNode(ISD::CTPOP, loc, MVT::i32, argument(0)));
-  } else {
-    return false;
-  }
-  return true;
 }
 
 }  // namespace llvm

@@ -2,6 +2,7 @@
 #include <llvm/CodeGen/SelectionDAGISel.h>
 
 #include "Bfin.hpp"
+#include "BfinNamedLowering.hpp"
 #include "BfinTargetMachine.hpp"
 
 #define DEBUG_TYPE "bfin-isel"
@@ -167,6 +168,12 @@ void BfinDAGToDAGISel::Select(SDNode* node) {
       if (select_stepping_store(node))
         return;
       break;
+    case BfinISD::COMPUTE:
+      ReplaceNode(node, selectComputation(node, *CurDAG));
+      return;
+    case BfinISD::SYSTEM:
+      ReplaceNode(node, selectAction(node, *CurDAG));
+      return;
     case ISD::FrameIndex: {
       int index = cast<FrameIndexSDNode>(node)->getIndex();
       SDValue zero = CurDAG->getTargetConstant(0, loc, MVT::i32);

@@ -6,6 +6,7 @@
 #include <llvm/IR/Constants.h>
 
 #include "BfinMachineFunctionInfo.hpp"
+#include "BfinNamedLowering.hpp"
 #include "BfinSubtarget.hpp"
 
 namespace llvm {
@@ -43,7 +44,7 @@ BfinTargetLowering::BfinTargetLowering(const TargetMachine& machine, const BfinS
     setOperationAction(op, MVT::Other, Expand);
   for (unsigned op : {ISD::SDIV, ISD::UDIV, ISD::SREM, ISD::UREM})
     setOperationAction(op, MVT::i32, LibCall);
-  for (unsigned op : {ISD::CTPOP, ISD::SMIN, ISD::SMAX})
+  for (unsigned op : {ISD::CTPOP, ISD::SMIN, ISD::SMAX, ISD::SADDSAT, ISD::SSUBSAT})
     setOperationAction(op, MVT::i32, Legal);
   setOperationAction(ISD::SIGN_EXTEND_INREG, MVT::i1, Expand);
   for (unsigned extension : {ISD::EXTLOAD, ISD::ZEXTLOAD, ISD::SEXTLOAD})
@@ -80,17 +81,32 @@ static SDValue combine_product(SDNode* product, SelectionDAG& dag) {
 }
 
 SDValue BfinTargetLowering::PerformDAGCombine(SDNode* node, DAGCombinerInfo& info) const {
-  return node->getOpcode() == ISD::MUL ? combine_product(node, info.DAG)
-                                       : combineBfinBitString(node, info);
+  switch (node->getOpcode()) {
+    case ISD::MUL:
+      return combine_product(node, info.DAG);
+    case BfinISD::COMPUTE:
+      return combineComputation(node, info);
+    default:
+      return combineBfinBitString(node, info);
+  }
 }
 
 const char* BfinTargetLowering::getTargetNodeName(unsigned opcode) const {
   static constexpr const char* kNames[] = {
-      "CALL",  "RET",   "RETI",   "SYMBOL",   "CMP",      "BITTST", "JCC",   "SELECT", "FROMCC",
-      "ROTCC", "NOTCC", "MULU16", "MULU16HL", "MULU16HH", "SUM",    "SETLO", "SETHI",  "CSYNC",
-      "SSYNC", "IDLE",  "NOP",    "CLI",      "STI",      "RAISE",  "EXCPT", "TESTSET"};
+      "CALL",  "RET",     "RETI",   "SYMBOL",   "CMP",      "BITTST", "JCC",   "SELECT", "FROMCC",
+      "ROTCC", "NOTCC",   "MULU16", "MULU16HL", "MULU16HH", "SUM",    "SETLO", "SETHI",  "TESTSET",
+      "COMPUTE", "SYSTEM"};
   unsigned index = opcode - BfinISD::CALL;
   return opcode >= BfinISD::CALL && index < std::size(kNames) ? kNames[index] : nullptr;
+}
+
+/// What has no result and takes its place in `op`'s chain.
+static SDValue system_instruction(unsigned opcode, SDValue op, ArrayRef<SDValue> arguments,
+                                  SelectionDAG& dag) {
+  SDLoc loc(op);
+  SmallVector<SDValue, 3> operands = {op.getOperand(0), dag.getTargetConstant(opcode, loc, MVT::i32)};
+  operands.append(arguments.begin(), arguments.end());
+  return dag.getNode(BfinISD::SYSTEM, loc, MVT::Other, operands);
 }
 
 SDValue BfinTargetLowering::LowerOperation(SDValue op, SelectionDAG& dag) const {
@@ -126,8 +142,8 @@ SDValue BfinTargetLowering::LowerOperation(SDValue op, SelectionDAG& dag) const 
     case ISD::ATOMIC_FENCE:
       return lower_fence(op, dag);
     case ISD::TRAP:
-      return dag.getNode(BfinISD::EXCPT, SDLoc(op), MVT::Other, op.getOperand(0),
-                         dag.getTargetConstant(15, SDLoc(op), MVT::i32));
+      return system_instruction(Bfin::EXCPT, op, {dag.getTargetConstant(15, SDLoc(op), MVT::i32)},
+                                dag);
     default:
       report_fatal_error("no lowering for a selection node");
   }
@@ -337,7 +353,7 @@ SDValue BfinTargetLowering::lower_fence(SDValue op, SelectionDAG& dag) const {
   auto scope = static_cast<SyncScope::ID>(op.getConstantOperandVal(2));
   if (scope == SyncScope::SingleThread)
     return dag.getNode(ISD::MEMBARRIER, SDLoc(op), MVT::Other, op.getOperand(0));
-  return dag.getNode(BfinISD::SSYNC, SDLoc(op), MVT::Other, op.getOperand(0));
+  return system_instruction(Bfin::SSYNC, op, {}, dag);
 }
 
 bool BfinTargetLowering::isLegalAddressingMode(const DataLayout& layout, const AddrMode& mode,

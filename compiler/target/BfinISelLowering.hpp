@@ -27,15 +27,9 @@ enum NodeType : unsigned {
   SUM,    ///< as ADD; exact sums fit 40 bits
   SETLO,  ///< a word, and what its low half becomes
   SETHI,
-  CSYNC,
-  SSYNC,
-  IDLE,
-  NOP,
-  CLI,
-  STI,
-  RAISE,
-  EXCPT,
   TESTSET,
+  COMPUTE,  ///< opcode, arguments that are halves (bit by bit), arguments -> results
+  SYSTEM,   ///< chain, opcode, arguments -> results, chain
 };
 }  // namespace BfinISD
 
@@ -87,10 +81,6 @@ class BfinTargetLowering : public TargetLowering {
   SDValue lower_va_start(SDValue op, SelectionDAG& dag) const;
   SDValue lower_fence(SDValue op, SelectionDAG& dag) const;
 };
-
-/// One of finback/blackfin.h's functions, called: its node's results, or nothing if `name` is none.
-bool lowerBfinBuiltin(StringRef name, TargetLowering::CallLoweringInfo& call,
-                      SmallVectorImpl<SDValue>& values, SDValue& chain);
 
 /// An OR of flags and of what stands above them, by rotations through CC; nothing if it is none.
 SDValue combineBfinBitString(SDNode* node, TargetLowering::DAGCombinerInfo& info);

@@ -6,6 +6,7 @@
 #include <llvm/Support/raw_ostream.h>
 
 #include "BfinMCTargetDesc.hpp"
+#include "BfinNamedInstructions.hpp"
 
 namespace llvm {
 
@@ -72,6 +73,10 @@ void BfinInstPrinter::printRegList(const MCInst* inst, unsigned index, raw_ostre
 void BfinInstPrinter::printPrediction(const MCInst* inst, unsigned index, raw_ostream& out) {
   if (inst->getOperand(index).getImm() != 0)
     out << " (BP)";
+}
+
+void BfinInstPrinter::printSystemRegister(const MCInst* inst, unsigned index, raw_ostream& out) {
+  out << kBfinSystemRegisters[static_cast<size_t>(inst->getOperand(index).getImm())];
 }
 
 }  // namespace llvm

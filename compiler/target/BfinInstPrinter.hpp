@@ -28,6 +28,7 @@ class BfinInstPrinter : public MCInstPrinter {
   void printAddOrTake(const MCInst* inst, unsigned index, raw_ostream& out);
   /// The lists of a multiple push or pop: two operands, the lowest D (8: none) and P (6: none).
   void printRegList(const MCInst* inst, unsigned index, raw_ostream& out);
+  void printSystemRegister(const MCInst* inst, unsigned index, raw_ostream& out);
   void printPrediction(const MCInst* inst, unsigned index, raw_ostream& out);
 };
 

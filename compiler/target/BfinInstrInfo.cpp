@@ -96,7 +96,7 @@ void BfinInstrInfo::buildAddress(MachineBasicBlock& block, MachineBasicBlock::it
 
 bool BfinInstrInfo::expandPostRAPseudo(MachineInstr& inst) const {
   if (inst.getOpcode() != Bfin::LI32 && inst.getOpcode() != Bfin::LDSYM)
-    return false;
+    return expandSequence(inst);
   MachineBasicBlock& block = *inst.getParent();
   Register to = inst.getOperand(0).getReg();
   const MachineOperand& value = inst.getOperand(1);
@@ -111,6 +111,10 @@ bool BfinInstrInfo::expandPostRAPseudo(MachineInstr& inst) const {
   }
   inst.eraseFromParent();
   return true;
+}
+
+bool BfinInstrInfo::leavesAccumulators(const MachineInstr& inst) {
+  return !inst.modifiesRegister(Bfin::A0, nullptr) && !inst.modifiesRegister(Bfin::A1, nullptr);
 }
 
 static bool is_conditional(const MachineInstr& inst) {

@@ -28,6 +28,11 @@ class BfinInstrInfo : public BfinGenInstrInfo {
   Register isLoadFromStackSlot(const MachineInstr& inst, int& index) const override;
   Register isStoreToStackSlot(const MachineInstr& inst, int& index) const override;
   bool expandPostRAPseudo(MachineInstr& inst) const override;
+  // Where sums live in an accumulator (BfinAccumulators), nothing moves in that writes it.
+  bool shouldSink(const MachineInstr& inst) const override { return leavesAccumulators(inst); }
+  bool shouldHoist(const MachineInstr& inst, const MachineLoop*) const override {
+    return leavesAccumulators(inst);
+  }
 
   // Branches. The condition is one operand: the sense of CC, or two for a hardware loop's end.
   bool analyzeBranch(MachineBasicBlock& block, MachineBasicBlock*& taken,
@@ -53,6 +58,10 @@ class BfinInstrInfo : public BfinGenInstrInfo {
                      Register to, int64_t value) const;
 
  private:
+  static bool leavesAccumulators(const MachineInstr& inst);
+  /// BfinSequences.cpp.
+  bool expandSequence(MachineInstr& inst) const;
+
   BfinRegisterInfo registers_;
 };
 

@@ -32,15 +32,7 @@ def bfin_mulu16hh : SDNode<"BfinISD::MULU16HH", SDT_Binary, [SDNPCommutative]>;
 def bfin_sum : SDNode<"BfinISD::SUM", SDT_Binary, [SDNPCommutative]>;
 def bfin_setlo : SDNode<"BfinISD::SETLO", SDT_Binary>;
 def bfin_sethi : SDNode<"BfinISD::SETHI", SDT_Binary>;
-// Instructions that C reaches by name (finback/blackfin.h). All are ordered with memory.
-def bfin_csync : SDNode<"BfinISD::CSYNC", SDTNone, [SDNPHasChain, SDNPMayLoad, SDNPMayStore, SDNPSideEffect]>;
-def bfin_ssync : SDNode<"BfinISD::SSYNC", SDTNone, [SDNPHasChain, SDNPMayLoad, SDNPMayStore, SDNPSideEffect]>;
-def bfin_idle : SDNode<"BfinISD::IDLE", SDTNone, [SDNPHasChain, SDNPMayLoad, SDNPMayStore, SDNPSideEffect]>;
-def bfin_nop : SDNode<"BfinISD::NOP", SDTNone, [SDNPHasChain, SDNPMayLoad, SDNPMayStore, SDNPSideEffect]>;
-def bfin_cli : SDNode<"BfinISD::CLI", SDT_Result, [SDNPHasChain, SDNPMayLoad, SDNPMayStore, SDNPSideEffect]>;
-def bfin_sti : SDNode<"BfinISD::STI", SDT_Operand, [SDNPHasChain, SDNPMayLoad, SDNPMayStore, SDNPSideEffect]>;
-def bfin_raise : SDNode<"BfinISD::RAISE", SDT_Operand, [SDNPHasChain, SDNPMayLoad, SDNPMayStore, SDNPSideEffect]>;
-def bfin_excpt : SDNode<"BfinISD::EXCPT", SDT_Operand, [SDNPHasChain, SDNPMayLoad, SDNPMayStore, SDNPSideEffect]>;
+// Ordered with memory, as all that acts on the system is; the others are selected by BfinISD::SYSTEM.
 def bfin_testset : SDNode<"BfinISD::TESTSET", SDT_Operand, [SDNPHasChain, SDNPMayLoad, SDNPMayStore, SDNPSideEffect, SDNPOutGlue]>;
 
 def callseq_start : SDNode<"ISD::CALLSEQ_START", SDT_CallSeqStart, [SDNPHasChain, SDNPOutGlue]>;
@@ -59,6 +51,7 @@ def Target : Operand<OtherVT>;
 def Callee : Operand<i32>;
 def Half : Operand<i32> { let PrintMethod = "printHalf"; }
 def PushD : Operand<i32> { let PrintMethod = "printRegList"; }
+def SystemRegister : Operand<i32> { let PrintMethod = "printSystemRegister"; }
 
 def simm7 : ImmLeaf<i32, [{ return isInt<7>(Imm); }]>;
 def simm16 : ImmLeaf<i32, [{ return isInt<16>(Imm); }]>;
@@ -418,14 +411,21 @@ def LSETUP : BfinInst<4, (outs), (ins Target:$top, Target:$end, SYS:$lc, P:$n), 
 
 //===-- System -------------------------------------------------------------------------------------===//
 let hasSideEffects = true, mayLoad = true, mayStore = true in {
-  def CSYNC : BfinInst<2, (outs), (ins), "CSYNC", [(bfin_csync)]>;
-  def SSYNC : BfinInst<2, (outs), (ins), "SSYNC", [(bfin_ssync)]>;
-  def IDLE : BfinInst<2, (outs), (ins), "IDLE", [(bfin_idle)]>;
-  def NOP : BfinInst<2, (outs), (ins), "NOP", [(bfin_nop)]>;
-  def CLI : BfinInst<2, (outs D:$rd), (ins), "CLI $rd", [(set D:$rd, (bfin_cli))]>;
-  def STI : BfinInst<2, (outs), (ins D:$rs), "STI $rs", [(bfin_sti D:$rs)]>;
-  def RAISE : BfinInst<2, (outs), (ins i32imm:$n), "RAISE $n", [(bfin_raise timm:$n)]>;
-  def EXCPT : BfinInst<2, (outs), (ins i32imm:$n), "EXCPT $n", [(bfin_excpt timm:$n)]>;
+  def CSYNC : BfinInst<2, (outs), (ins), "CSYNC">;
+  def SSYNC : BfinInst<2, (outs), (ins), "SSYNC">;
+  def IDLE : BfinInst<2, (outs), (ins), "IDLE">;
+  def NOP : BfinInst<2, (outs), (ins), "NOP">;
+  def CLI : BfinInst<2, (outs D:$rd), (ins), "CLI $rd">;
+  def STI : BfinInst<2, (outs), (ins D:$rs), "STI $rs">;
+  def RAISE : BfinInst<2, (outs), (ins i32imm:$n), "RAISE $n">;
+  def EXCPT : BfinInst<2, (outs), (ins i32imm:$n), "EXCPT $n">;
+  foreach name = ["PREFETCH", "FLUSH", "FLUSHINV", "IFLUSH"] in
+  def CACHE_#name : BfinInst<2, (outs), (ins P:$at), name#" [$at]">;
+  def READSYSTEM : BfinInst<2, (outs D:$rd), (ins SystemRegister:$from), "$rd = $from">;
+  let Defs = [CC] in  // a part of ASTAT
+  def WRITESYSTEM : BfinInst<2, (outs), (ins SystemRegister:$to, D:$rs), "$to = $rs">;
   let Defs = [CC] in
   def TESTSET : BfinInst<2, (outs), (ins P:$at), "TESTSET ($at)", [(bfin_testset P:$at)]>;
 }
+
+include "BfinFract.td"

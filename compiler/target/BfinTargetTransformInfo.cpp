@@ -4,6 +4,8 @@
 #include <llvm/Analysis/ScalarEvolution.h>
 #include <llvm/IR/IntrinsicInst.h>
 
+#include "BfinNamedInstructions.hpp"
+
 namespace llvm {
 
 using TTI = TargetTransformInfo;
@@ -83,16 +85,18 @@ void BfinTTIImpl::getUnrollingPreferences(Loop* loop, ScalarEvolution& scev,
   }
 }
 
-/// Does the loop's body contain a call that will remain one? Declarations named __builtin_bfin_*
-/// are single instructions.
+bool BfinTTIImpl::isLoweredToCall(const Function* function) const {
+  return !isNamedInstruction(function) && Base::isLoweredToCall(function);
+}
+
+/// Does the loop's body contain a call that will remain one?
 static bool has_real_call(const Loop& loop) {
   for (const BasicBlock* block : loop.blocks())
     for (const Instruction& inst : *block) {
       const auto* call = dyn_cast<CallBase>(&inst);
       if (call == nullptr)
         continue;
-      const Function* callee = call->getCalledFunction();
-      if (callee != nullptr && callee->getName().starts_with("__builtin_bfin_"))
+      if (isNamedInstruction(call->getCalledFunction()))
         continue;
       if (!isa<IntrinsicInst>(call) || isa<MemIntrinsic>(call))
         return true;

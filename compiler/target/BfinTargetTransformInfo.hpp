@@ -36,6 +36,8 @@ class BfinTTIImpl : public BasicTTIImplBase<BfinTTIImpl> {
   InstructionCost getIntImmCost(const APInt& value, Type* type, TTI::TargetCostKind kind) const;
   InstructionCost getIntImmCostInst(unsigned opcode, unsigned index, const APInt& value, Type* type,
                                     TTI::TargetCostKind kind, Instruction* inst = nullptr) const;
+  /// The functions that are instructions are not.
+  bool isLoweredToCall(const Function* function) const;
   void getUnrollingPreferences(Loop* loop, ScalarEvolution& scev, TTI::UnrollingPreferences& prefs,
                                OptimizationRemarkEmitter* remarks);
   bool isHardwareLoopProfitable(Loop* loop, ScalarEvolution& scev, AssumptionCache& assumptions,
