@@ -3,85 +3,76 @@
  * 2 k + 1 of the other buffer, so that the last results stand in bit-reversed order, which is
  * undone as they are written. Butterfly k of stage s turns by the angle number k mod 2^s; the
  * angles are those of 0, -1/4, -1/8, -3/8, ... of a circle: bit-reversed. No element's magnitude
- * exceeds 1. */
-#include <stdint.h>
+ * exceeds 1. Products are rounded to the nearest fraction, sums are halved downwards. */
+#include <ccblkfn.h>
+#include <fr2x16.h>
 
 #define POINTS 256
 #define HALF (POINTS / 2)
 
-struct complex16 {
-  int16_t re;
-  int16_t im;
-};
+/* A complex number is a pair: the imaginary part in the high half. */
+FINBACK_INLINE fract2x16 first_of(long long both) { return (fract2x16)both; }
+FINBACK_INLINE fract2x16 second_of(long long both) { return (fract2x16)(both >> 32); }
 
-#define REVERSED_2(n) (n), (n) + 128, (n) + 64, (n) + 192
-#define REVERSED_4(n) \
-  REVERSED_2(n), REVERSED_2((n) + 32), REVERSED_2((n) + 16), REVERSED_2((n) + 48)
-#define REVERSED_6(n) REVERSED_4(n), REVERSED_4((n) + 8), REVERSED_4((n) + 4), REVERSED_4((n) + 12)
-static const uint8_t bit_reversed[POINTS] = {REVERSED_6(0), REVERSED_6(2), REVERSED_6(1),
-                                             REVERSED_6(3)};
-
-/* Half of a plus b and half of a minus b. */
-static void butterfly(const struct complex16* restrict a, int b_re, int b_im,
-                      struct complex16* restrict sum, struct complex16* restrict difference) {
-  int re = a->re;
-  int im = a->im;
-  sum->re = (int16_t)((re + b_re) >> 1);
-  sum->im = (int16_t)((im + b_im) >> 1);
-  difference->re = (int16_t)((re - b_re) >> 1);
-  difference->im = (int16_t)((im - b_im) >> 1);
-}
-
-static void turned_butterfly(const struct complex16* restrict a,
-                             const struct complex16* restrict angle, struct complex16* restrict sum,
-                             struct complex16* restrict difference) {
-  const struct complex16* b = a + HALF;
-  butterfly(a, (b->re * angle->re - b->im * angle->im) >> 15,
-            (b->re * angle->im + b->im * angle->re) >> 15, sum, difference);
+/* Half of a plus b times angle, and half of a minus it. */
+FINBACK_INLINE long long turned_butterfly(fract2x16 a, fract2x16 b, fract2x16 angle) {
+  return __builtin_bfin_both_half_2x16(a, __builtin_bfin_cmplx_mul(b, angle));
 }
 
 /* The first two stages, whose angles need no multiplication: every fourth of the input becomes four
  * neighbours. */
-static void first_stages(const struct complex16* restrict in, struct complex16* restrict out) {
+static void first_stages(const fract2x16* restrict in, fract2x16* restrict out) {
   for (int k = 0; k < POINTS / 4; ++k) {
-    struct complex16 even_sum;
-    struct complex16 even_difference;
-    struct complex16 odd_sum;
-    struct complex16 odd_difference;
-    butterfly(in, in[128].re, in[128].im, &even_sum, &even_difference);
-    butterfly(in + 64, in[192].re, in[192].im, &odd_sum, &odd_difference);
-    butterfly(&even_sum, odd_sum.re, odd_sum.im, out, out + 1);
-    butterfly(&even_difference, odd_difference.im, -odd_difference.re, out + 2, out + 3);
+    const long long even = __builtin_bfin_both_half_2x16(in[0], in[128]);
+    const long long odd = __builtin_bfin_both_half_co_2x16(in[64], in[192]);
+    const long long sums = __builtin_bfin_both_half_2x16(first_of(even), first_of(odd));
+    const long long crossed = __builtin_bfin_cross_half_2x16(second_of(even), second_of(odd));
+    out[0] = first_of(sums);
+    out[1] = second_of(sums);
+    out[2] = second_of(crossed);
+    out[3] = first_of(crossed);
     ++in;
     out += 4;
   }
 }
 
-static void stage(const struct complex16* restrict in, struct complex16* restrict out,
-                  const struct complex16* restrict angles, int angle_count) {
-  for (int k = 0; k < HALF; ++k) {
-    turned_butterfly(in + k, angles + (k & (angle_count - 1)), out, out + 1);
-    out += 2;
-  }
+/* `groups` times through all the stage's angles. */
+static void stage(const fract2x16* restrict in, fract2x16* restrict out,
+                  const fract2x16* restrict angles, int angle_count, int groups) {
+  const fract2x16* restrict opposite = in + HALF;
+  do {
+    const fract2x16* restrict angle = angles;
+    for (int k = 0; k < angle_count; ++k) {
+      const long long both = turned_butterfly(*in++, *opposite++, *angle++);
+      *out++ = first_of(both);
+      *out++ = second_of(both);
+    }
+  } while (--groups != 0);
 }
 
-static void last_stage(const struct complex16* restrict in, struct complex16* restrict out,
-                       const struct complex16* restrict angles) {
-  const uint8_t* restrict to = bit_reversed;
+static void last_stage(const fract2x16* restrict in, fract2x16* restrict out,
+                       const fract2x16* restrict angles) {
+  const fract2x16* restrict opposite = in + HALF;
+  char* at = 0; /* in bytes from `out` */
   for (int k = 0; k < HALF; ++k) {
-    turned_butterfly(in + k, angles + k, out + to[0], out + to[1]);
-    to += 2;
+    const long long both = turned_butterfly(*in++, *opposite++, *angles++);
+    fract2x16* to = (fract2x16*)((char*)out + (int)at);
+    to[0] = first_of(both);
+    to[HALF] = second_of(both);
+    at = brevadd(at, (char*)(HALF / 2 * sizeof(fract2x16)));
   }
 }
 
 /* `in` is used up. */
-void fft256(struct complex16* restrict in, struct complex16* restrict out,
-            const struct complex16* restrict angles) {
+void fft256(fract2x16* restrict in, fract2x16* restrict out, const fract2x16* restrict angles) {
+  fract2x16* from = out;
+  fract2x16* to = in;
   first_stages(in, out);
-  stage(out, in, angles, 4);
-  stage(in, out, angles, 8);
-  stage(out, in, angles, 16);
-  stage(in, out, angles, 32);
-  stage(out, in, angles, 64);
+  for (int groups = HALF / 4, angle_count = 4; groups > 1; groups /= 2, angle_count *= 2) {
+    fract2x16* results = to;
+    stage(from, to, angles, angle_count, groups);
+    to = from;
+    from = results;
+  }
   last_stage(in, out, angles);
 }

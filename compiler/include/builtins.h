@@ -81,6 +81,8 @@ fract32 __builtin_bfin_shl_fr1x32(fract32 a, short left) FINBACK_COMPUTES;
 fract32 __builtin_bfin_lshl_fr1x32(fract32 a, short left) FINBACK_COMPUTES;
 fract32 __builtin_bfin_mult_fr1x32x32(fract32 a, fract32 b) FINBACK_COMPUTES;
 fract32 __builtin_bfin_multr_fr1x32x32(fract32 a, fract32 b) FINBACK_COMPUTES;
+/* Address and step added with the carry running to the right, from bit 31 to bit 0. */
+void* __builtin_bfin_brevadd(const void* address, const void* step) FINBACK_COMPUTES;
 
 /* Complex fractions: imaginary part in the high half, real part in the low one. */
 fract2x16 __builtin_bfin_cmplx_add(fract2x16 a, fract2x16 b) FINBACK_COMPUTES;
@@ -97,6 +99,42 @@ int __builtin_bfin_align8(int high, int low) FINBACK_COMPUTES;
 int __builtin_bfin_align16(int high, int low) FINBACK_COMPUTES;
 int __builtin_bfin_align24(int high, int low) FINBACK_COMPUTES;
 int __builtin_bfin_bytepack(int low, int high) FINBACK_COMPUTES;
+
+/* Four bytes of a pair of words: video.h. */
+long long __builtin_bfin_add_i4x8(long long a, const void* at_a, long long b,
+                                  const void* at_b) FINBACK_COMPUTES;
+long long __builtin_bfin_add_i4x8_r(long long a, const void* at_a, long long b,
+                                    const void* at_b) FINBACK_COMPUTES;
+long long __builtin_bfin_sub_i4x8(long long a, const void* at_a, long long b,
+                                  const void* at_b) FINBACK_COMPUTES;
+long long __builtin_bfin_sub_i4x8_r(long long a, const void* at_a, long long b,
+                                    const void* at_b) FINBACK_COMPUTES;
+int __builtin_bfin_avg_i4x8(long long a, const void* at_a, long long b,
+                            const void* at_b) FINBACK_COMPUTES;
+int __builtin_bfin_avg_i4x8_t(long long a, const void* at_a, long long b,
+                              const void* at_b) FINBACK_COMPUTES;
+int __builtin_bfin_avg_i4x8_r(long long a, const void* at_a, long long b,
+                              const void* at_b) FINBACK_COMPUTES;
+int __builtin_bfin_avg_i4x8_tr(long long a, const void* at_a, long long b,
+                               const void* at_b) FINBACK_COMPUTES;
+int __builtin_bfin_avg_i2x8_lo(long long a, const void* at, long long b) FINBACK_COMPUTES;
+int __builtin_bfin_avg_i2x8_lot(long long a, const void* at, long long b) FINBACK_COMPUTES;
+int __builtin_bfin_avg_i2x8_lor(long long a, const void* at, long long b) FINBACK_COMPUTES;
+int __builtin_bfin_avg_i2x8_lotr(long long a, const void* at, long long b) FINBACK_COMPUTES;
+int __builtin_bfin_avg_i2x8_hi(long long a, const void* at, long long b) FINBACK_COMPUTES;
+int __builtin_bfin_avg_i2x8_hit(long long a, const void* at, long long b) FINBACK_COMPUTES;
+int __builtin_bfin_avg_i2x8_hir(long long a, const void* at, long long b) FINBACK_COMPUTES;
+int __builtin_bfin_avg_i2x8_hitr(long long a, const void* at, long long b) FINBACK_COMPUTES;
+int __builtin_bfin_addclip_lo(long long a, const void* at_a, long long b,
+                              const void* at_b) FINBACK_COMPUTES;
+int __builtin_bfin_addclip_hi(long long a, const void* at_a, long long b,
+                              const void* at_b) FINBACK_COMPUTES;
+int __builtin_bfin_addclip_lor(long long a, const void* at_a, long long b,
+                               const void* at_b) FINBACK_COMPUTES;
+int __builtin_bfin_addclip_hir(long long a, const void* at_a, long long b,
+                               const void* at_b) FINBACK_COMPUTES;
+long long __builtin_bfin_byteunpack(long long a, const void* at) FINBACK_COMPUTES;
+long long __builtin_bfin_byteunpackr(long long a, const void* at) FINBACK_COMPUTES;
 
 /* The choice in the low word, the history of choices in the high one. */
 long long __builtin_bfin_lvitmax1x16(int pair, int history) FINBACK_COMPUTES;

@@ -35,6 +35,9 @@ FINBACK_INLINE void* circptr(const void* pointer, ptrdiff_t step, const void* ba
   return (char*)base + circindex((const char*)pointer - (const char*)base, step, bytes);
 }
 
+/* Steps in bit-reversed order: the carry of pointer + step runs to the right. */
+#define brevadd(pointer, step) __builtin_bfin_brevadd((pointer), (step))
+
 /* The larger half of a pair, or of two pairs, with a bit of history for each choice: from the right
  * (l) or from the left (r). Results go to variables, as with the vendor. */
 #define lvitmax1x16(pair, old_history, selected, new_history) \

@@ -121,11 +121,18 @@ void swap(Stream& stream) {
   }
 }
 
+/// What C reaches by name may want one.
+bool uses_index_register(const MachineInstr& inst) {
+  return any_of(kIndexRegisters, [&](MCPhysReg index) {
+    return inst.readsRegister(index, nullptr) || inst.modifiesRegister(index, nullptr);
+  });
+}
+
 bool BfinIndexStreams::find(MachineBasicBlock& block, Loop& loop) {
   if (!block.isSuccessor(&block) || block.succ_size() != 2 || block.pred_size() != 2)
     return false;
   for (const MachineInstr& inst : block)
-    if (inst.isCall() || inst.isInlineAsm() || inst.isPosition())
+    if (inst.isCall() || inst.isInlineAsm() || inst.isPosition() || uses_index_register(inst))
       return false;
   const auto is_other = [&](const MachineBasicBlock* other) { return other != &block; };
   loop.block = &block;

@@ -26,6 +26,8 @@ FunctionPass* createBfinHardwareLoops();
 FunctionPass* createBfinSteppedAccesses();
 /// Keeps sums of products in A0 and A1 while their loop runs.
 FunctionPass* createBfinAccumulators();
+/// Lets accesses step their pointers in loops, where distances from the pointer were left.
+FunctionPass* createBfinSteps();
 /// Loads for a loop's next pass at the end of the present one.
 FunctionPass* createBfinRotateLoops();
 /// Gives every virtual register its bank, data or pointer, where the copies cost least.

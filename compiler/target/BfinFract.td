@@ -39,15 +39,6 @@ foreach a = ["L", "H"] in {
     def EXPADJH_#a#"L" : DspIntoHalf<(ins D:$ra, D:$rb), "${rd}.L = EXPADJ(${ra}."#a#", ${rb}.L)">, ReadsHalves<"EXPADJH", a#"L">;
   }
 }
-// Integer products of high halves.
-let ReadsEarly = true in {
-  def MULISHH : DspBinary<"$rd = ${ra}.H * ${rb}.H (IS)", [(set D:$rd, (mul (sra D:$ra, (i32 16)), (sra D:$rb, (i32 16))))]>;
-  def MULISHL : DspBinary<"$rd = ${ra}.H * ${rb}.L (IS)", []>;
-}
-def signed_half : PatLeaf<(i32 D:$a), [{ return CurDAG->ComputeNumSignBits(SDValue(N, 0)) > 16; }]>;
-let AddedComplexity = 20 in
-def : Pat<(mul (sra D:$ra, (i32 16)), signed_half:$rb), (MULISHL D:$ra, D:$rb)>;
-
 def SUMHL : DspIntoHalf<(ins D:$ra), "${rd}.L = ${ra}.H + ${ra}.L (S)">;
 def DIFFHL : DspIntoHalf<(ins D:$ra), "${rd}.L = ${ra}.H - ${ra}.L (S)">;
 def DIFFLH : DspIntoHalf<(ins D:$ra), "${rd}.L = ${ra}.L - ${ra}.H (S)">;
@@ -111,6 +102,10 @@ let ReadsEarly = true in {
 }
 def SHLS : DspShift<"$rd = $ra << $n (S)">;
 
+// An addition whose carry runs to the right.
+let Constraints = "$ra = $rd" in
+def ADDREVERSED : BfinInst<2, (outs P:$rd), (ins P:$ra, P:$rb), "$rd += $rb (BREV)">;
+
 //===-- Bytes ------------------------------------------------------------------------------------===//
 let ReadsEarly = true in {
   foreach n = [8, 16, 24] in
@@ -129,6 +124,7 @@ foreach reverse = ["", "R"] in {
   defvar only = !if(!empty(reverse), "", " (R)");
   def AVERAGE#reverse : BytesOfPairs<(outs D:$rd), "$rd = BYTEOP1P(R1:0, R3:2)"#only>;
   def AVERAGET#reverse : BytesOfPairs<(outs D:$rd), "$rd = BYTEOP1P(R1:0, R3:2) (T"#more#")">;
+  let Uses = [R0, R1, R2, R3, I0] in
   foreach mode = ["RNDL", "RNDH", "TL", "TH"] in
   def AVERAGE4#mode#reverse : BytesOfPairs<(outs D:$rd), "$rd = BYTEOP2P(R1:0, R3:2) ("#mode#more#")">;
   foreach mode = ["LO", "HI"] in

@@ -47,12 +47,17 @@ SmallVector<MCPhysReg, 32> interrupt_registers(const MachineFunction& function) 
   bool calls = function.getFrameInfo().hasCalls();
   if (calls || function.getInfo<BfinMachineFunctionInfo>()->has_hardware_loops)
     regs.append({Bfin::LB0, Bfin::LB1, Bfin::LT0, Bfin::LT1, Bfin::LC0, Bfin::LC1});
-  const MachineRegisterInfo& used = function.getRegInfo();
-  if (calls || !used.def_empty(Bfin::A0) || !used.def_empty(Bfin::A1))
+  const auto is_touched = [&](MCPhysReg reg) {
+    return calls || !function.getRegInfo().def_empty(reg);
+  };
+  if (is_touched(Bfin::A0) || is_touched(Bfin::A1))
     regs.append({Bfin::A0X, Bfin::A0W, Bfin::A1X, Bfin::A1W});
+  for (const MCPhysReg index : {Bfin::I0, Bfin::I1, Bfin::I2, Bfin::I3})
+    if (is_touched(index))
+      regs.push_back(index);
   if (calls)
-    regs.append({Bfin::I0, Bfin::I1, Bfin::I2, Bfin::I3, Bfin::M0, Bfin::M1, Bfin::M2, Bfin::M3,
-                 Bfin::B0, Bfin::B1, Bfin::B2, Bfin::B3, Bfin::L0, Bfin::L1, Bfin::L2, Bfin::L3});
+    regs.append({Bfin::M0, Bfin::M1, Bfin::M2, Bfin::M3, Bfin::B0, Bfin::B1, Bfin::B2, Bfin::B3,
+                 Bfin::L0, Bfin::L1, Bfin::L2, Bfin::L3});
   return regs;
 }
 

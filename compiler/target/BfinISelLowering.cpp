@@ -104,7 +104,8 @@ const char* BfinTargetLowering::getTargetNodeName(unsigned opcode) const {
 static SDValue system_instruction(unsigned opcode, SDValue op, ArrayRef<SDValue> arguments,
                                   SelectionDAG& dag) {
   SDLoc loc(op);
-  SmallVector<SDValue, 3> operands = {op.getOperand(0), dag.getTargetConstant(opcode, loc, MVT::i32)};
+  SmallVector<SDValue, 3> operands = {op.getOperand(0),
+                                      dag.getTargetConstant(opcode, loc, MVT::i32)};
   operands.append(arguments.begin(), arguments.end());
   return dag.getNode(BfinISD::SYSTEM, loc, MVT::Other, operands);
 }

@@ -18,7 +18,7 @@ struct BfinNamedInstruction {
   };
 
   StringRef name;  ///< what follows __builtin_bfin_
-  /// Result and arguments: v nothing, i a word, p an address, l two words as one long long, s a
+  /// Result and arguments: v nothing, i a word, p an address, l two words, as one long long, s a
   /// half of which only 16 bits are read or written, h a half that is read with its sign, n a
   /// constant from 0 to 15, r a constant that names a system register.
   StringRef types;

@@ -15,7 +15,7 @@
 namespace llvm {
 namespace {
 
-using Values = SmallVector<SDValue, 5>;
+using Values = SmallVector<SDValue, 6>;
 
 /// A shift by the low half of a register, and its forms by a number.
 struct Shift {
@@ -166,6 +166,16 @@ unsigned use_number(unsigned opcode, Values& arguments, SelectionDAG& dag, const
   return left > 0 ? shift->left : shift->right;
 }
 
+/// Instructions on the pairs R1:0 and R3:2 and the index registers: the arguments go there, and
+/// what is left to hand over is the glue.
+void use_fixed_registers(Values& arguments, SelectionDAG& dag, const SDLoc& loc) {
+  constexpr MCPhysReg kRegisters[] = {Bfin::R0, Bfin::R1, Bfin::I0, Bfin::R2, Bfin::R3, Bfin::I1};
+  SDValue glue;
+  for (const auto& [reg, argument] : zip(kRegisters, arguments))
+    glue = dag.getCopyToReg(dag.getEntryNode(), loc, reg, argument, glue).getValue(1);
+  arguments = {glue};
+}
+
 /// The other of two computations on the same operands; null when there is none.
 SDNode* partner(SDNode* node, unsigned opcode, bool exchanged) {
   const SDValue first = node->getOperand(exchanged ? 3 : 2);
@@ -187,14 +197,18 @@ bool lowerNamedInstruction(StringRef name, TargetLowering::CallLoweringInfo& cal
   SelectionDAG& dag = call.DAG;
   const SDLoc& loc = call.DL;
   Values arguments;
-  for (const auto& [value, letter] : zip(call.OutVals, instruction->types.substr(2))) {
-    SDValue argument = value;
+  const SDValue* value = call.OutVals.begin();
+  for (const char letter : instruction->types.substr(2)) {
+    SDValue argument = *value++;
     if (letter == 'n' || letter == 'r')
-      argument = dag.getTargetConstant(cast<ConstantSDNode>(value)->getZExtValue(), loc, MVT::i32);
+      argument =
+          dag.getTargetConstant(cast<ConstantSDNode>(argument)->getZExtValue(), loc, MVT::i32);
     else if (letter == 'h')
       argument =
-          dag.getNode(ISD::SIGN_EXTEND_INREG, loc, MVT::i32, value, dag.getValueType(MVT::i16));
+          dag.getNode(ISD::SIGN_EXTEND_INREG, loc, MVT::i32, argument, dag.getValueType(MVT::i16));
     arguments.push_back(argument);
+    if (letter == 'l')
+      arguments.push_back(*value++);
   }
   switch (instruction->kind) {
     case BfinNamedInstruction::Kind::node:
@@ -240,8 +254,10 @@ SDNode* selectComputation(SDNode* node, SelectionDAG& dag) {
   opcode = use_number(opcode, arguments, dag, loc);
   const auto& instructions = *dag.getSubtarget().getInstrInfo();
   const MCInstrDesc& description = instructions.get(opcode);
+  if (is_contained(description.implicit_uses(), Bfin::I0))
+    use_fixed_registers(arguments, dag, loc);
   // The half that is not written may be anything.
-  if (description.getOperandConstraint(description.getNumDefs(), MCOI::TIED_TO) == 0)
+  if (description.getNumOperands() > description.getNumDefs() + arguments.size())
     arguments.insert(arguments.begin(),
                      SDValue(dag.getMachineNode(TargetOpcode::IMPLICIT_DEF, loc, MVT::i32), 0));
   return dag.getMachineNode(opcode, loc, node->getVTList(), arguments);

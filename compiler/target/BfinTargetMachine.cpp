@@ -77,6 +77,7 @@ class BfinPassConfig : public TargetPassConfig {
     addPass(createBfinSteppedAccesses());
     addPass(createBfinHardwareLoops());
     addPass(createBfinAccumulators());
+    addPass(createBfinSteps());
     addPass(createBfinRotateLoops());
     addPass(createBfinBankSelect());
     addPass(createBfinKeptHalves());

@@ -62,6 +62,18 @@ TEST_F(Quality, CopyLoopIsAHardwareLoopOfTwoInstructions) {
   EXPECT_EQ(count(body, "++]"), 2) << body;
 }
 
+TEST_F(Quality, AccessesAtDistancesStepTheirPointers) {
+  const std::string text = compile(
+      "void both(int *restrict d, const int *restrict s, int n) {\n"
+      "  for (int i = 0; i < n; i++, d += 2, s++) { d[1] = s[0] - s[128]; d[0] = s[0]; }\n}\n"
+      "void apart(int *d, const int *s, int n) {\n"
+      "  for (int i = 0; i < n; i++, d += 2) { d[1] = *s++; d[0] = *s++; }\n}\n");
+  const std::string loop = loop_of(function_of(text, "both"));
+  EXPECT_EQ(count(loop, "++]"), 4) << text;
+  EXPECT_EQ(count(loop, "+="), 0) << text;
+  EXPECT_EQ(count(loop_of(function_of(text, "apart")), "+= 8"), 1) << "who knows?\n" << text;
+}
+
 TEST_F(Quality, NestedLoopsUseBothCounters) {
   const std::string body = function_of(
       compile("int sum(const unsigned char m[20][30]) {\n  int s = 0;\n"
