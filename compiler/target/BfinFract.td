@@ -167,12 +167,9 @@ let Defs = [A1], Uses = [A1] in {
 }
 let Defs = [A0], Uses = [A0, A1] in
 def SUMOFBOTH : Dsp<(outs D:$rd), (ins), "$rd = (A0 += A1)">;
-foreach i = 0-1 in {
-  defvar accumulator = !cast<Register>("A"#i);
-  let Defs = [accumulator] in
-  def SETWIDEA#i : Dsp<(outs), (ins D:$ra), "A"#i#" = $ra">;
-}
 // A0 has the history of choices; its low word is all of it that counts.
+let Defs = [A0], Uses = [A0] in
+def SETLOWA0 : BfinInst<2, (outs), (ins D:$ra), "A0.W = $ra">;
 let Defs = [A0], Uses = [A0], ReadsEarly = true in
 foreach side = ["ASL", "ASR"] in {
   def VITMAXH#side : DspIntoHalf<(ins D:$ra), "${rd}.L = VIT_MAX($ra) ("#side#")">;
@@ -193,8 +190,8 @@ foreach wide = ["", "W"] in {
 def MUL32 : Sequence<(outs D:$rd), (ins D:$ra, D:$rb), 6>;
 def MUL32R : Sequence<(outs D:$rd), (ins D:$half, D:$ra, D:$rb), 7>;
 foreach side = ["ASL", "ASR"] in {
-  def VITH#side : Sequence<(outs D:$rd, D:$history), (ins D:$ra, D:$old), 3>;
-  def VITV#side : Sequence<(outs D:$rd, D:$history), (ins D:$ra, D:$rb, D:$old), 3>;
+  def VITH#side : Sequence<(outs D:$rd, D:$history), (ins D:$ra, D:$old), 4>;
+  def VITV#side : Sequence<(outs D:$rd, D:$history), (ins D:$ra, D:$rb, D:$old), 4>;
 }
 
 //===-- Patterns -----------------------------------------------------------------------------------===//

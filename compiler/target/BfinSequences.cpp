@@ -34,8 +34,8 @@ class Writer {
 
 /// sum + a b or sum - a b, the sum's parts in two registers.
 void write_complex_sum(Writer& writer, unsigned products, unsigned get) {
-  writer.part(Bfin::SETWIDEA1, {1});
-  writer.part(Bfin::SETWIDEA0, {2});
+  writer.part(Bfin::SETA1, {1});
+  writer.part(Bfin::SETA0, {2});
   writer.part(products, {3, 4});
   writer.part(get, {0, 3, 4});
 }
@@ -49,14 +49,20 @@ void write_wide_product(Writer& writer, unsigned a, unsigned b) {
   writer.part(Bfin::SUMOFBOTH, {0});
 }
 
+/// The old history, with nothing above it.
+void write_history(Writer& writer, unsigned old) {
+  writer.part(Bfin::CLRA0, {});
+  writer.part(Bfin::SETLOWA0, {old});
+}
+
 void write_choice_of_half(Writer& writer, unsigned choose) {
-  writer.part(Bfin::SETA0, {3});
+  write_history(writer, 3);
   writer.part(choose, {0, 2});
   writer.part(Bfin::GETA0, {1});
 }
 
 void write_choice_of_halves(Writer& writer, unsigned choose) {
-  writer.part(Bfin::SETA0, {4});
+  write_history(writer, 4);
   writer.part(choose, {0, 2, 3});
   writer.part(Bfin::GETA0, {1});
 }
@@ -88,7 +94,7 @@ bool BfinInstrInfo::expandSequence(MachineInstr& inst) const {
       write_wide_product(writer, 1, 2);
       break;
     case Bfin::MUL32R:
-      writer.part(Bfin::SETWIDEA1, {1});
+      writer.part(Bfin::SETA1, {1});
       writer.part(Bfin::LOWSADD, {2, 3});
       write_wide_product(writer, 2, 3);
       break;
