@@ -129,8 +129,8 @@ bool BfinSteps::split(std::vector<MachineInstr*> accesses, int64_t step, std::ve
       covered = 0;
     }
     Run& run = runs.back();
-    const bool fits = run.empty() || (displacement(*access) == displacement(*run.back()) + size &&
-                                      form_of(*run.back())->size == size);
+    const bool fits = run.empty() || displacement(*access) ==
+                                         displacement(*run.back()) + form_of(*run.back())->size;
     if (!fits || covered + size > step)
       return false;
     run.push_back(access);

@@ -22,8 +22,6 @@ void initializeBfinTarget();
 FunctionPass* createBfinISelDag(BfinTargetMachine& machine, CodeGenOptLevel level);
 /// Decides which loops of the machine code run on LC0 and LC1; turns the others into count downs.
 FunctionPass* createBfinHardwareLoops();
-/// Accesses through a pointer that steps over several become ones that step.
-FunctionPass* createBfinSteppedAccesses();
 /// Keeps sums of products in A0 and A1 while their loop runs.
 FunctionPass* createBfinAccumulators();
 /// Lets accesses step their pointers in loops, where distances from the pointer were left.

@@ -18,6 +18,8 @@ BfinTargetLowering::BfinTargetLowering(const TargetMachine& machine, const BfinS
   setStackPointerRegisterToSaveRestore(Bfin::SP);
   setBooleanContents(ZeroOrOneBooleanContent);
   setMinFunctionAlignment(Align(2));
+  // What lies across two fetches in a function then does so wherever the function lies.
+  setPrefFunctionAlignment(Align(8));
   setMinStackArgumentAlignment(Align(4));
   setSchedulingPreference(Sched::RegPressure);
   // A table costs about fourteen cycles, most of them the jump's; so do three compares in a row.
@@ -92,10 +94,10 @@ SDValue BfinTargetLowering::PerformDAGCombine(SDNode* node, DAGCombinerInfo& inf
 }
 
 const char* BfinTargetLowering::getTargetNodeName(unsigned opcode) const {
-  static constexpr const char* kNames[] = {
-      "CALL",  "RET",     "RETI",   "SYMBOL",   "CMP",      "BITTST", "JCC",   "SELECT", "FROMCC",
-      "ROTCC", "NOTCC",   "MULU16", "MULU16HL", "MULU16HH", "SUM",    "SETLO", "SETHI",  "TESTSET",
-      "COMPUTE", "SYSTEM"};
+  static constexpr const char* kNames[] = {"CALL",   "RET",    "RETI",     "SYMBOL",   "CMP",
+                                           "BITTST", "JCC",    "SELECT",   "FROMCC",   "ROTCC",
+                                           "NOTCC",  "MULU16", "MULU16HL", "MULU16HH", "SUM",
+                                           "SETLO",  "SETHI",  "TESTSET",  "COMPUTE",  "SYSTEM"};
   unsigned index = opcode - BfinISD::CALL;
   return opcode >= BfinISD::CALL && index < std::size(kNames) ? kNames[index] : nullptr;
 }

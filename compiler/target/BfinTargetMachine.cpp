@@ -74,7 +74,6 @@ class BfinPassConfig : public TargetPassConfig {
   }
 
   void addMachineSSAOptimization() override {
-    addPass(createBfinSteppedAccesses());
     addPass(createBfinHardwareLoops());
     addPass(createBfinAccumulators());
     addPass(createBfinSteps());
