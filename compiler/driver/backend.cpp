@@ -13,6 +13,7 @@
 #include <llvm/Support/raw_ostream.h>
 
 #include "../middle/AbsoluteDifferences.hpp"
+#include "../middle/NarrowProducts.hpp"
 #include "../middle/Products.hpp"
 #include "../target/Bfin.hpp"
 #include "../target/BfinAsmPrinter.hpp"
@@ -133,6 +134,10 @@ void run_middle_end(Module& module, TargetMachine& machine, char level) {
         if (target == OptimizationLevel::O2 || target == OptimizationLevel::O3)
           passes.addPass(ProductsPass());
       });
+  builder.registerOptimizerLastEPCallback([](ModulePassManager& passes, OptimizationLevel target) {
+    if (target != OptimizationLevel::O0)
+      passes.addPass(createModuleToFunctionPassAdaptor(NarrowProductsPass()));
+  });
   OptimizationLevel target = middle_end_level(level);
   ModulePassManager passes = target == OptimizationLevel::O0
                                  ? builder.buildO0DefaultPipeline(target)

@@ -42,7 +42,7 @@ bool match_difference(Value* value, Value*& a, Value*& b) {
             m_Intrinsic<Intrinsic::abs>(m_Sub(m_ZExt(m_Value(a)), m_ZExt(m_Value(b))), m_Value())))
     return true;
   // a > b ? a - b : b - a, compared as bytes or widened.
-  ICmpInst::Predicate predicate;
+  ICmpInst::Predicate predicate = CmpInst::ICMP_EQ;
   Value* left = nullptr;
   Value* right = nullptr;
   if (!match(value, m_Select(m_ICmp(predicate, m_Value(left), m_Value(right)),

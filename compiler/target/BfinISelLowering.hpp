@@ -24,8 +24,9 @@ enum NodeType : unsigned {
   MULU16,    ///< low half x low half, unsigned
   MULU16HL,  ///< high half x low half
   MULU16HH,
-  SUM,    ///< as ADD; exact sums fit 40 bits
-  SETLO,  ///< a word, and what its low half becomes
+  MULLOW,  ///< signed product of the low halves; the product's low half is wanted
+  SUM,     ///< as ADD; exact sums fit 40 bits
+  SETLO,   ///< a word, and what its low half becomes
   SETHI,
   TESTSET,
   COMPUTE,  ///< opcode, arguments that are halves (bit by bit), arguments -> results

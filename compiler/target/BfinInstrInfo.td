@@ -29,6 +29,7 @@ def bfin_notcc : SDNode<"BfinISD::NOTCC", SDTNone, [SDNPInGlue, SDNPOutGlue]>;
 def bfin_mulu16 : SDNode<"BfinISD::MULU16", SDT_Binary, [SDNPCommutative]>;
 def bfin_mulu16hl : SDNode<"BfinISD::MULU16HL", SDT_Binary>;
 def bfin_mulu16hh : SDNode<"BfinISD::MULU16HH", SDT_Binary, [SDNPCommutative]>;
+def bfin_mullow : SDNode<"BfinISD::MULLOW", SDT_Binary, [SDNPCommutative]>;
 def bfin_sum : SDNode<"BfinISD::SUM", SDT_Binary, [SDNPCommutative]>;
 def bfin_setlo : SDNode<"BfinISD::SETLO", SDT_Binary>;
 def bfin_sethi : SDNode<"BfinISD::SETHI", SDT_Binary>;
@@ -262,6 +263,7 @@ let ReadsEarly = true in {
   def MULFU : Dsp<(outs D:$rd), (ins HalfOf:$ra, HalfOf:$rb), "$rd = $ra * $rb (FU)",
                   [(set D:$rd, (mul UnsignedHalf:$ra, UnsignedHalf:$rb))]>;
 }
+def : Pat<(bfin_mullow D:$ra, D:$rb), (MULIS D:$ra, 0, D:$rb, 0)>;
 def : Pat<(bfin_mulu16 D:$ra, D:$rb), (MULFU D:$ra, 0, D:$rb, 0)>;
 def : Pat<(bfin_mulu16hl D:$ra, D:$rb), (MULFU D:$ra, 1, D:$rb, 0)>;
 def : Pat<(bfin_mulu16hh D:$ra, D:$rb), (MULFU D:$ra, 1, D:$rb, 1)>;

@@ -109,5 +109,14 @@ TEST_F(Products, DifferencesOfSquaresAreAddedAndTakenOff) {
   EXPECT_EQ(count(body, "(A0 -= "), 1) << body;
 }
 
+// Of a word's product only bits are wanted that the low halves decide.
+TEST_F(Products, LowHalvesOfProductsTakeOneCycle) {
+  const std::string text = compile(
+      "unsigned char low(int a, int b) { return (unsigned char)(a * b >> 8); }\n"
+      "unsigned char high(int a, int b) { return (unsigned char)(a * b >> 9); }\n");
+  EXPECT_EQ(count(function_of(text, "low"), ".L * R"), 1) << text;
+  EXPECT_EQ(count(function_of(text, "high"), "*="), 1) << text;
+}
+
 }  // namespace
 }  // namespace finback::compiler
