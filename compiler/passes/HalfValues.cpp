@@ -26,6 +26,14 @@ bool reads_upper_half(const MachineInstr& inst, unsigned index) {
     case Bfin::PACKLO:
       return index == 1;
     case Bfin::PACKHI:
+    case Bfin::ADDH_LL:
+    case Bfin::SUBH_LL:
+    case Bfin::MULT_LL:
+    case Bfin::MULTR_LL:
+    case Bfin::MULTW_LL:
+    case Bfin::PACK_LL:
+    case Bfin::SIGNBITSH_LL:
+    case Bfin::EXPADJH_LL:
     case Bfin::ZXH:
     case Bfin::SXH:
     case Bfin::ZXB:

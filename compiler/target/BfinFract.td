@@ -206,8 +206,3 @@ let AddedComplexity = 20 in {
 }
 let AddedComplexity = 15 in
 def : Pat<(or (shl D:$a, (i32 16)), low_half:$b), (PACK_LL D:$a, D:$b)>;
-// What the saturating sums of shorts become in 32 bits.
-def : Pat<(sra (saddsat (shl D:$a, (i32 16)), (shl D:$b, (i32 16))), (i32 16)),
-          (SXH (ADDVS D:$a, D:$b))>;
-def : Pat<(sra (ssubsat (shl D:$a, (i32 16)), (shl D:$b, (i32 16))), (i32 16)),
-          (SXH (SUBVS D:$a, D:$b))>;

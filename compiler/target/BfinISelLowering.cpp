@@ -51,7 +51,7 @@ BfinTargetLowering::BfinTargetLowering(const TargetMachine& machine, const BfinS
   setOperationAction(ISD::SIGN_EXTEND_INREG, MVT::i1, Expand);
   for (unsigned extension : {ISD::EXTLOAD, ISD::ZEXTLOAD, ISD::SEXTLOAD})
     setLoadExtAction(extension, MVT::i32, MVT::i1, Promote);
-  setTargetDAGCombine({ISD::MUL, ISD::OR});
+  setTargetDAGCombine({ISD::MUL, ISD::OR, ISD::SRA, ISD::SRL});
   for (MVT type : {MVT::i8, MVT::i16, MVT::i32})
     for (unsigned mode : {ISD::POST_INC, ISD::POST_DEC}) {
       setIndexedLoadAction(mode, type, Legal);
@@ -86,6 +86,9 @@ SDValue BfinTargetLowering::PerformDAGCombine(SDNode* node, DAGCombinerInfo& inf
   switch (node->getOpcode()) {
     case ISD::MUL:
       return combine_product(node, info.DAG);
+    case ISD::SRA:
+    case ISD::SRL:
+      return combineSaturatedHalves(node, info.DAG);
     case BfinISD::COMPUTE:
       return combineComputation(node, info);
     default:

@@ -246,6 +246,28 @@ SDValue combineComputation(SDNode* node, TargetLowering::DAGCombinerInfo& info) 
   return SDValue();
 }
 
+SDValue combineSaturatedHalves(SDNode* node, SelectionDAG& dag) {
+  const auto is_by_16 = [](SDValue value) {
+    return isa<ConstantSDNode>(value.getOperand(1)) && value.getConstantOperandVal(1) == 16;
+  };
+  const SDValue sum = node->getOperand(0);
+  const bool adds = sum.getOpcode() == ISD::SADDSAT;
+  if (node->getValueType(0) != MVT::i32 || !is_by_16(SDValue(node, 0)) ||
+      (!adds && sum.getOpcode() != ISD::SSUBSAT) || any_of(sum->op_values(), [&](SDValue operand) {
+        return operand.getOpcode() != ISD::SHL || !is_by_16(operand);
+      }))
+    return SDValue();
+  const SDLoc loc(node);
+  const SDValue pairs =
+      dag.getNode(BfinISD::COMPUTE, loc, MVT::i32,
+                  {dag.getTargetConstant(adds ? Bfin::ADDVS : Bfin::SUBVS, loc, MVT::i32),
+                   dag.getTargetConstant(0, loc, MVT::i32), sum.getOperand(0).getOperand(0),
+                   sum.getOperand(1).getOperand(0)});
+  if (node->getOpcode() == ISD::SRA)
+    return dag.getNode(ISD::SIGN_EXTEND_INREG, loc, MVT::i32, pairs, dag.getValueType(MVT::i16));
+  return dag.getNode(ISD::AND, loc, MVT::i32, pairs, dag.getConstant(0xffff, loc, MVT::i32));
+}
+
 SDNode* selectComputation(SDNode* node, SelectionDAG& dag) {
   const SDLoc loc(node);
   Values arguments(node->op_begin() + 2, node->op_end());

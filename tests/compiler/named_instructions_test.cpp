@@ -207,6 +207,23 @@ TEST_F(NamedInstructions, FitTogether) {
   EXPECT_EQ(count(function_of(text, "known"), ">>> 5 (V)"), 1) << text;
 }
 
+// C has words for some of them.
+TEST_F(NamedInstructions, AreFoundInPlainC) {
+  const std::string text = compile(
+      "static short limited(int s) { return s > 32767 ? 32767 : s < -32768 ? -32768 : s; }\n"
+      "short sum(short a, short b) { return limited(a + b); }\n"
+      "void differences(short *restrict d, const short *a, int n) {\n"
+      "  for (int i = 0; i < n; i++) d[i] = limited(a[i] - d[i]);\n}\n"
+      "int words(int a, int b) { return __builtin_elementwise_add_sat(a, b); }\n"
+      "int pair(int a, int b) { return a & ~0xffff | (unsigned short)b; }\n");
+  EXPECT_EQ(count(function_of(text, "sum"), "+|+"), 1) << text;
+  EXPECT_EQ(work_of(function_of(text, "sum")).size(), 1U) << text;
+  EXPECT_EQ(count(function_of(text, "differences"), "-|-"), 1) << text;
+  EXPECT_EQ(count(function_of(text, "differences"), "<<"), 0) << text;
+  EXPECT_EQ(count(function_of(text, "words"), "(S)"), 1) << text;
+  EXPECT_EQ(count(function_of(text, "pair"), "PACK"), 1) << text;
+}
+
 TEST_F(NamedInstructions, HandlersSaveTheAccumulatorsAndIndexRegistersTheyUse) {
   const std::string text = compile(
       "#include <finback/blackfin.h>\n#include <complex_bf.h>\n#include <video.h>\n"

@@ -39,6 +39,22 @@ static __attribute__((noinline)) unsigned mixed(int a, int b) {
   return mix(sum, (unsigned)shl_fr1x16_clip(bl, 99));
 }
 
+/* What plain C says with comparisons. */
+static __attribute__((noinline)) short limited_sum(short a, short b) {
+  const int sum = a + b;
+  return (short)(sum > 32767 ? 32767 : sum < -32768 ? -32768 : sum);
+}
+static __attribute__((noinline)) unsigned limited_difference(short a, short b) {
+  const int difference = a - b;
+  return (unsigned short)(difference > 32767 ? 32767 : difference < -32768 ? -32768 : difference);
+}
+static __attribute__((noinline)) int twice_limited(short a, short b, short c) {
+  const int sum = limited_sum(a, b) - c;
+  return sum > 32767 ? 32767 : sum < -32768 ? -32768 : sum;
+}
+CHECK2(limited_sum, short, short)
+CHECK2(limited_difference, short, short)
+
 int main(void) {
   REPORT(abs_fr1x16)
   REPORT(negate_fr1x16)
@@ -55,9 +71,12 @@ int main(void) {
   REPORT(shrl_fr1x16)
   REPORT(shl_fr1x16_clip)
   REPORT(shr_fr1x16_clip)
+  REPORT(limited_sum)
+  REPORT(limited_difference)
   unsigned state = 4, sum = 0;
   for (unsigned i = 0; i < 100; ++i) {
     const int a = edge_or_any(&state, i);
+    sum = mix(sum, (unsigned)twice_limited((short)a, (short)(a >> 16), (short)(a >> 7)));
     sum = mix(sum, mixed(a, edge_or_any(&state, i / 2)));
   }
   report("mixed", sum);
