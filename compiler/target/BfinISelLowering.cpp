@@ -48,6 +48,9 @@ BfinTargetLowering::BfinTargetLowering(const TargetMachine& machine, const BfinS
     setOperationAction(op, MVT::i32, LibCall);
   for (unsigned op : {ISD::CTPOP, ISD::SMIN, ISD::SMAX, ISD::SADDSAT, ISD::SSUBSAT})
     setOperationAction(op, MVT::i32, Legal);
+  // Products that may overflow are computed in place: the runtime has no function for them.
+  for (RTLIB::Libcall call : {RTLIB::MUL_I64, RTLIB::MUL_I128, RTLIB::MULO_I64})
+    setLibcallName(call, nullptr);
   setOperationAction(ISD::SIGN_EXTEND_INREG, MVT::i1, Expand);
   for (unsigned extension : {ISD::EXTLOAD, ISD::ZEXTLOAD, ISD::SEXTLOAD})
     setLoadExtAction(extension, MVT::i32, MVT::i1, Promote);

@@ -30,6 +30,13 @@ static inline unsigned mix(unsigned sum, unsigned value) {
   return sum;
 }
 
+static inline unsigned mix_long(unsigned sum, unsigned long long value) {
+  return mix(mix(sum, (unsigned)value), (unsigned)(value >> 32));
+}
+
+/* A function that is called, with arguments that its body cannot know. */
+#define APART __attribute__((noinline))
+
 /* A generator of numbers; the seed is the caller's. */
 static inline unsigned next_number(unsigned *state) {
   *state = *state * 1664525u + 1013904223u;
