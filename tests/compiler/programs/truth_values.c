@@ -63,7 +63,7 @@ int main(void) {
   unsigned s = 0;
   static const int ints[] = {0, 1, 2, -1, 256, 65536, -2147483647 - 1};
   for (int i = 0; i < 7; i++)
-    s = mix(s, of_int(ints[i]) + 2u * of_long((long long)ints[i] << 32) +
+    s = mix(s, of_int(ints[i]) + 2u * of_long(ints[i] * 0x100000000ll) +
                    4u * of_double(ints[i] / 1e300) + 8u * of_float((float)ints[i]));
   s = mix(s, of_double(-0.0) + 2u * of_double(5e-324) + 4u * of_pointer(&object) +
                  8u * of_pointer(0) + 16u * of_float(1e-45f));
