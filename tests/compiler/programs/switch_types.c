@@ -1,4 +1,4 @@
-/* Switches over every type: 64 bits, unsigned, enumerations, bit-fields,
+/* Switches over every type: 64 bits, enumerations, bit-fields,
  * expressions; cases far apart, cases at both ends of the type. */
 #include "report.h"
 
@@ -56,20 +56,6 @@ APART static int dense_long(u64 x) {
       return 103;
   }
   return -1;
-}
-APART static int of_unsigned(unsigned x) {
-  switch (x) {
-    case 0xffffffffu:
-      return 1;
-    case 0x80000000u:
-      return 2;
-    case 0:
-      return 3;
-    default:
-      return 4;
-    case 0x7fffffff:
-      return 5;
-  }
 }
 APART static int of_colour(enum colour c) {
   switch (c) {
@@ -133,8 +119,6 @@ int main(void) {
   unsigned s = 0;
   for (int i = 0; i < 10; i++) {
     s = mix(s, (unsigned)of_long(longs[i]));
-    s = mix(s, (unsigned)of_unsigned((unsigned)longs[i]));
-    s = mix(s, (unsigned)of_unsigned((unsigned)(longs[i] >> 1)));
   }
   report("far", s);
   for (int i = -2; i < 12; i++)
