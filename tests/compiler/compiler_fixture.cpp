@@ -74,13 +74,29 @@ static std::vector<std::string> runtime_units(Copying copying) {
   return units;
 }
 
-Finished CompilerTest::execute(const std::string& source_path, const std::string& level,
+std::vector<std::string> sources_of(const std::string& program) {
+  std::vector<std::string> sources;
+  if (!fs::is_directory(program))
+    return {program};
+  for (const auto& entry : fs::directory_iterator(program))
+    if (entry.path().extension() == ".c")
+      sources.push_back(entry.path().string());
+  std::sort(sources.begin(), sources.end());
+  std::stable_partition(sources.begin(), sources.end(),
+                        [](const fs::path& source) { return source.stem() == "main"; });
+  return sources;
+}
+
+Finished CompilerTest::execute(const std::string& program, const std::string& level,
                                Copying copying) const {
-  Finished finished =
-      cc({"-O" + level, "--verify", "-W", "no-everything", "-o", "program.bir", source_path});
-  if (finished.exit_code != 0)
-    return finished;
-  std::vector<std::string> command = {FINBACK_BIR_RUN, "program.bir"};
+  std::vector<std::string> command = {FINBACK_BIR_RUN};
+  for (const std::string& source : sources_of(program)) {
+    const std::string bir = fs::path(source).stem().string() + ".bir";
+    Finished finished = cc({"-O" + level, "--verify", "-W", "no-everything", "-o", bir, source});
+    if (finished.exit_code != 0)
+      return finished;
+    command.push_back(bir);
+  }
   for (std::string& unit : runtime_units(copying))
     command.push_back(std::move(unit));
   return run(command);

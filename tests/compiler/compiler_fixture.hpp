@@ -33,8 +33,9 @@ class CompilerTest : public ::testing::Test {
   /// The BIR of a C text at -O2; the test fails when it does not compile.
   [[nodiscard]] std::string compile(std::string_view text,
                                     const std::vector<std::string>& options = {}) const;
-  /// What a C program prints on the simulated machine, linked with the firmware's runtime.
-  [[nodiscard]] Finished execute(const std::string& source_path, const std::string& level,
+  /// What a program, a file or a folder of files, prints on the simulated machine, linked with the
+  /// firmware's runtime.
+  [[nodiscard]] Finished execute(const std::string& program, const std::string& level,
                                  Copying copying = Copying::plain) const;
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
@@ -42,6 +43,8 @@ class CompilerTest : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
+/// The files of a program: itself, or those of the folder that it is, main.c first.
+[[nodiscard]] std::vector<std::string> sources_of(const std::string& program);
 /// The body of one function of a BIR text, from its label to its .size.
 [[nodiscard]] std::string function_of(const std::string& bir, const std::string& name);
 /// How often `what` occurs in `text`.
