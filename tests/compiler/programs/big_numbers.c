@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "report.h"
+
 #define DIGITS 24
 #define BASE 1000000000u
 struct big {
@@ -135,7 +137,7 @@ int main(void) {
          power_modulo(123456789, 987654321, 4294967291u));
   for (unsigned n = 4294967200u; n > 4294967100u; n--)
     if (is_prime(n))
-      printf("%u ", n);
+      report("prime", n);
   printf("\nroots %u %u %u\n", root(~0ull), root(1ull << 62), root(999999999999ull));
   return 0;
 }

@@ -62,22 +62,15 @@ static struct node* expression(int level) {
   }
 }
 static int apply(char operation, int a, int b) {
-  switch (operation) {
-    case '+':
-      return (int)((unsigned)a + (unsigned)b);
-    case '-':
-      return (int)((unsigned)a - (unsigned)b);
-    case '*':
-      return (int)((unsigned)a * (unsigned)b);
-    case '/':
-      return b == 0 ? 0 : a / b;
-    case '%':
-      return b == 0 ? 0 : a % b;
-    case '<':
-      return a < b;
-    default:
-      return a | b;
-  }
+  unsigned x = (unsigned)a, y = (unsigned)b;
+  if (operation == '/' || operation == '%')
+    return b == 0 ? 0 : operation == '/' ? a / b : a % b;
+  if (operation == '<')
+    return a < b;
+  return (int)(operation == '+'   ? x + y
+               : operation == '-' ? x - y
+               : operation == '*' ? x * y
+                                  : x | y);
 }
 static int evaluate(const struct node* n) {
   switch (n->operation) {

@@ -1,6 +1,6 @@
 /* A receiver of frames as firmware has it: a state machine byte by byte, escapes, lengths, CRC of
- * 16 and 32 bits, a ring of received frames, counters of errors, time-outs; fed with good and
- * bad streams. */
+ * 16 and 32 bits, a ring of received frames, counters of errors, time-outs; good and bad streams.
+ */
 #include <string.h>
 
 #include "report.h"
@@ -96,10 +96,10 @@ APART static void receive(struct receiver* r, u8 byte) {
   r->sum = crc16(r->sum, byte);
 }
 static void tick(struct receiver* r) {
-  if (r->state == waiting || ++r->age < 3)
-    return;
-  r->timeouts++;
-  r->state = waiting;
+  if (r->state != waiting && ++r->age == 3) {
+    r->timeouts++;
+    r->state = waiting;
+  }
 }
 static int put(u8* out, u8 byte) {
   if (byte != 0x7e && byte != 0x7d)
