@@ -27,8 +27,7 @@ static struct node* primary(void) {
   if (c == '(') {
     at++;
     struct node* inner = expression(0);
-    if (peek() == ')')
-      at++;
+    at += peek() == ')';
     return inner;
   }
   if (c == '-') {
@@ -73,16 +72,14 @@ static int apply(char operation, int a, int b) {
                                   : x | y);
 }
 static int evaluate(const struct node* n) {
-  switch (n->operation) {
-    case 'n':
-      return n->value;
-    case 'v':
-      return variables[n->value];
-    case '_':
-      return -evaluate(n->a);
-    case '=':
-      return variables[n->a->value] = evaluate(n->b);
-  }
+  if (n->operation == 'n')
+    return n->value;
+  if (n->operation == 'v')
+    return variables[n->value];
+  if (n->operation == '_')
+    return -evaluate(n->a);
+  if (n->operation == '=')
+    return variables[n->a->value] = evaluate(n->b);
   int a = evaluate(n->a);
   return apply(n->operation, a, evaluate(n->b));
 }
@@ -112,10 +109,8 @@ static int run(void) {
     struct step s = code[pc];
     switch (s.operation) {
       case 'n':
-        stack[top++] = s.value;
-        break;
       case 'v':
-        stack[top++] = variables[s.value];
+        stack[top++] = s.operation == 'n' ? s.value : variables[s.value];
         break;
       case '=':
         variables[s.value] = stack[top - 1];

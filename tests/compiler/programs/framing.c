@@ -1,6 +1,5 @@
 /* A receiver of frames as firmware has it: a state machine byte by byte, escapes, lengths, CRC of
- * 16 and 32 bits, a ring of received frames, counters of errors, time-outs; good and bad streams.
- */
+ * 16 and 32 bits, a ring of received frames, time-outs; good and bad streams. */
 #include <string.h>
 
 #include "report.h"
