@@ -46,7 +46,18 @@ INSTANTIATE_TEST_SUITE_P(Programs, Differential, ::testing::ValuesIn(all_program
                            return program.param.substr(0, program.param.find('.'));
                          });
 
-TEST(DifferentialPrograms, AreAllThere) { EXPECT_GE(all_programs().size(), 150U); }
+class DifferentialPrograms : public CompilerTest {};
+
+TEST_F(DifferentialPrograms, StandInTheTableOfThemes) {
+  const std::string folder = std::string(FINBACK_SOURCE_DIR) + "/tests/compiler/programs";
+  std::string words = read(folder + "/README.md");
+  std::replace(words.begin(), words.end(), '`', ' ');
+  for (const std::string& program : all_programs())
+    EXPECT_NE(words.find(" " + program.substr(0, program.find('.')) + " "), std::string::npos)
+        << program << " does not stand in " << folder << "/README.md";
+}
+
+TEST_F(DifferentialPrograms, AreAllThere) { EXPECT_GE(all_programs().size(), 150U); }
 
 }  // namespace
 }  // namespace finback::compiler

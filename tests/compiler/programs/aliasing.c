@@ -1,3 +1,5 @@
+/* What one pointer stores another one loads: of one type, of unions, of characters; what may not
+ * be moved. */
 #include "report.h"
 union word { unsigned w; unsigned short h[2]; unsigned char b[4]; };
 static int data[16];

@@ -1,3 +1,4 @@
+/* Frames larger than the scratchpad, and larger than the reach of one offset. */
 #include "report.h"
 __attribute__((noinline)) static unsigned wide(int n) {
   unsigned char bytes[40000];

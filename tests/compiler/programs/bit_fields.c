@@ -1,3 +1,4 @@
+/* Bit-fields within words and across them, stepped in a loop. */
 #include "report.h"
 struct flags { unsigned ready : 1, kind : 3; int level : 5; unsigned count : 13; signed char small : 4; };
 struct packed_words { unsigned a : 20, b : 12; unsigned long long c : 40, d : 24; };

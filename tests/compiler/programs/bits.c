@@ -1,3 +1,4 @@
+/* The counting builtins of 32 bits, swaps of bytes, single bits; a CRC bit by bit. */
 #include "report.h"
 __attribute__((noinline)) static unsigned twiddle(unsigned x) {
   unsigned s = 0;

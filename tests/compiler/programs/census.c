@@ -1,3 +1,4 @@
+/* The census transform of 3 by 3 and scores by ones, as stereo firmware has them. */
 #include "report.h"
 static unsigned char image[24][32];
 static unsigned char census[24][32];

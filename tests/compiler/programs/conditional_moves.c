@@ -1,3 +1,4 @@
+/* Minima and where they are: selections instead of branches. */
 #include "report.h"
 __attribute__((noinline)) static int smallest(const int *p, int n, int *where) {
   int best = 0x7fffffff;

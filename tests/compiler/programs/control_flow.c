@@ -1,3 +1,4 @@
+/* Nested conditions, jumps backwards, exits out of loops, chains of else. */
 #include "report.h"
 __attribute__((noinline)) static int nested(int a, int b, int c) {
   if (a > b) {

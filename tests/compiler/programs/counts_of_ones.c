@@ -1,5 +1,5 @@
+/* Sums of Hamming distances over windows, in the shapes of a matcher. */
 #include "report.h"
-/* Sums of Hamming distances in the shapes that the matcher uses. */
 static unsigned short left[48], right[80], update[31], oldest[31], score[31];
 __attribute__((noinline)) static void row(unsigned pair, const unsigned short *from) {
   unsigned short *u = update, *o = oldest, *s = score;

@@ -1,3 +1,4 @@
+/* Quotients and remainders of 32 bits, by registers and by constants, at their edges. */
 #include "report.h"
 __attribute__((noinline)) static unsigned by_register(int a, int b) {
   unsigned s = 0, ua = (unsigned)a, ub = (unsigned)b;

@@ -1,3 +1,4 @@
+/* Products of fixed point numbers, square roots, bilinear interpolation, a filter. */
 #include "report.h"
 typedef int q16;
 __attribute__((noinline)) static q16 multiply(q16 a, q16 b) { return (q16)((long long)a * b >> 16); }

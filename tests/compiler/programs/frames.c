@@ -1,3 +1,4 @@
+/* Locals in frames: none, small, deep in recursion, with addresses handed on. */
 #include "report.h"
 __attribute__((noinline)) static unsigned fill(unsigned char *p, int n, unsigned seed) {
   for (int i = 0; i < n; i++) p[i] = (unsigned char)next_number(&seed);

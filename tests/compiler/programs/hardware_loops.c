@@ -1,3 +1,4 @@
+/* Loops on the loop counters: unknown counts, none, nests, long bodies, calls inside. */
 #include "report.h"
 static unsigned short row[31];
 static unsigned grid[6][5][4];

@@ -1,3 +1,4 @@
+/* A hash table of words with open addressing. */
 #include "report.h"
 struct slot { const char *key; int value; };
 static struct slot slots[64];

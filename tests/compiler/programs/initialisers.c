@@ -1,3 +1,4 @@
+/* Static initialisers: pointers to objects and functions, designators, the rest zero. */
 #include "report.h"
 struct entry { const char *name; int (*function)(int); short values[3]; const struct entry *link; };
 static int twice(int x) { return 2 * x; }

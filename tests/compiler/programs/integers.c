@@ -1,5 +1,5 @@
+/* Every operator on int and on narrow types, with values that carry, wrap and change sign. */
 #include "report.h"
-/* Every operator on every width, with values that carry, wrap and change sign. */
 static const int values[] = {0, 1, -1, 2, 7, -8, 100, 127, 128, 255, 256, -32768, 32767, 65535,
                              65536, 0x12345678, 0x7fffffff, (int)0x80000000u, -100000};
 #define COUNT ((int)(sizeof values / sizeof values[0]))

@@ -1,3 +1,4 @@
+/* A byte-code interpreter: a switch in a loop, a stack in memory. */
 #include "report.h"
 enum { PUSH, ADD, MUL, SUB, DUP, SWAP, JNZ, DEC, OUT, HALT };
 static const signed char code[] = {PUSH, 1, PUSH, 10, DUP, JNZ, 9, OUT, HALT, DUP, SWAP, DEC, SWAP, PUSH, 3, MUL, ADD, PUSH, 7, SUB, DUP, OUT, HALT};

@@ -1,3 +1,4 @@
+/* Lists: made, reversed, merged and searched by pointers. */
 #include "report.h"
 struct node { struct node *next; short value; unsigned char tag; };
 static struct node pool[64];

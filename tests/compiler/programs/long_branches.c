@@ -1,3 +1,4 @@
+/* Branches over more code than their shortest forms reach. */
 #include "report.h"
 static unsigned table[64];
 __attribute__((noinline)) static unsigned far(unsigned x, int n) {

@@ -1,3 +1,4 @@
+/* Sums, products, shifts and comparisons of 64 bits. */
 #include "report.h"
 typedef long long i64;
 typedef unsigned long long u64;

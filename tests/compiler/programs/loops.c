@@ -1,3 +1,4 @@
+/* Loops of many shapes: four deep, with breaks, with exits, downward, with branches inside. */
 #include "report.h"
 static unsigned char image[12][16][3];
 static short out[16][12];

@@ -1,3 +1,4 @@
+/* Arguments in registers and on the stack, of mixed widths; structs among them. */
 #include "report.h"
 struct point { int x, y; };
 __attribute__((noinline)) static int nine(int a, char b, short c, long long d, unsigned char e, int f, long long g, short h, int i) {

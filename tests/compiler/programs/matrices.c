@@ -1,3 +1,4 @@
+/* Products of matrices, convolution, fixed point rows. */
 #include "report.h"
 static int a[7][9], b[9][5], c[7][5];
 static short fixed[16][16];

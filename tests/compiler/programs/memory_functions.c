@@ -1,3 +1,4 @@
+/* memcpy, memset and memmove as the compiler calls them by itself, for structs and arrays. */
 #include "report.h"
 void *memcpy(void *, const void *, unsigned long);
 void *memset(void *, int, unsigned long);

@@ -1,3 +1,4 @@
+/* Wrapping and comparing of 8 and 16 bits, averages, _Bool. */
 #include "report.h"
 __attribute__((noinline)) static signed char wrap8(int n) {
   signed char c = 100;

@@ -1,3 +1,4 @@
+/* Loads and stores that step their pointer, of all widths, both ways. */
 #include "report.h"
 static unsigned char bytes[64];
 static short halves[64];

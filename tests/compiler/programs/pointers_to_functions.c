@@ -1,3 +1,4 @@
+/* Tables of functions, methods in structs, a comparison handed to a sort. */
 #include "report.h"
 typedef int (*operation)(int, int);
 static int add(int a, int b) { return a + b; }

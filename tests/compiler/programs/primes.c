@@ -1,3 +1,4 @@
+/* A sieve, greatest common divisors, modular powers. */
 #include "report.h"
 static unsigned char composite[2000];
 __attribute__((noinline)) static unsigned sieve(unsigned n) {

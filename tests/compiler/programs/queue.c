@@ -1,3 +1,4 @@
+/* A ring of bytes that fills and empties. */
 #include "report.h"
 #define SIZE 16
 struct queue { unsigned char slots[SIZE]; unsigned head, tail; };

@@ -1,3 +1,4 @@
+/* Ackermann's function, Hanoi's towers, mutual recursion, queens. */
 #include "report.h"
 static int depth, deepest;
 __attribute__((noinline)) static unsigned ackermann(unsigned m, unsigned n) {

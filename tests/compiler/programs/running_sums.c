@@ -1,3 +1,4 @@
+/* Sums over windows that are updated, not made anew. */
 #include "report.h"
 static unsigned char image[20][24];
 static unsigned short columns[24];

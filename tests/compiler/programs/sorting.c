@@ -1,3 +1,4 @@
+/* Quick sort, heap sort and insertion on halves and words. */
 #include "report.h"
 static short values[200];
 static unsigned keys[100];

@@ -1,3 +1,4 @@
+/* Static objects, initialised and not, in functions and outside. */
 #include "report.h"
 static int calls;
 static short history[8];

@@ -1,3 +1,4 @@
+/* Functions on strings written by hand: lengths, comparison, search, numbers. */
 #include "report.h"
 static unsigned length(const char *s) {
   const char *p = s;

@@ -1,3 +1,4 @@
+/* Structs by value of 4 to 52 bytes, changed and returned. */
 #include "report.h"
 struct pair { short a, b; };
 struct triple { int x, y, z; };

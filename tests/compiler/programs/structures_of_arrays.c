@@ -1,3 +1,4 @@
+/* Arrays of structs in structs, members of all widths. */
 #include "report.h"
 struct particle { short x, y; signed char vx, vy; unsigned char alive, age; };
 struct world { struct particle all[20]; int count; struct { unsigned hits[4]; unsigned short total; } statistics; };

@@ -1,3 +1,4 @@
+/* Switches dense and sparse, with falling through, as a state machine. */
 #include "report.h"
 __attribute__((noinline)) static int dense(int x) {
   switch (x) {

@@ -1,5 +1,5 @@
+/* Calls in last position, chains of them, results that pass through. */
 #include "report.h"
-/* Calls in last position, chains of them, and results that pass through unchanged. */
 typedef unsigned (*step)(unsigned, unsigned);
 static unsigned trace;
 static unsigned first(unsigned x, unsigned n);

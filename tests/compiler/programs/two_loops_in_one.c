@@ -1,3 +1,4 @@
+/* Two loops on counters inside one; correlations. */
 #include "report.h"
 static short a[64], b[64], c[128];
 __attribute__((noinline)) static int dot(const short *x, const short *y, int n) {

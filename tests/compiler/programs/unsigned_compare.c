@@ -1,3 +1,4 @@
+/* Comparisons of both signs with registers and constants, of pointers, of narrow values. */
 #include "report.h"
 __attribute__((noinline)) static unsigned all(unsigned a, unsigned b) {
   return (a < b) | (a <= b) << 1 | (a > b) << 2 | (a >= b) << 3 | (a < 8) << 4 | (a > 7) << 5 | (a <= 7) << 6 | (a >= 8) << 7 |

@@ -1,3 +1,4 @@
+/* Variable arguments: integers, 64 bits, strings; a formatter. */
 #include "report.h"
 #include <stdarg.h>
 __attribute__((noinline)) static int sum(int n, ...) {

@@ -1,3 +1,4 @@
+/* Volatile halves, bytes and words: each access happens. */
 #include "report.h"
 static volatile unsigned short cell;
 static volatile unsigned char bytes[4];
