@@ -97,6 +97,35 @@ void align_locals(Module& module) {
   }
 }
 
+/// Each access of up to a word is one for the machine, too. What else an atomic one promises is
+/// said by fences: nothing is moved across it by the compiler, nor by the write buffers.
+void lower_atomics(Module& module) {
+  SmallVector<Instruction*, 8> accesses;
+  for (Function& function : module)
+    for (Instruction& inst : instructions(function))
+      if (inst.isAtomic() && (isa<LoadInst>(inst) || isa<StoreInst>(inst)))
+        accesses.push_back(&inst);
+  for (Instruction* access : accesses) {
+    auto* load = dyn_cast<LoadInst>(access);
+    auto* store = dyn_cast<StoreInst>(access);
+    const AtomicOrdering order = load != nullptr ? load->getOrdering() : store->getOrdering();
+    const SyncScope::ID scope = load != nullptr ? load->getSyncScopeID() : store->getSyncScopeID();
+    const bool strict = order == AtomicOrdering::SequentiallyConsistent;
+    if (store != nullptr && isReleaseOrStronger(order))
+      IRBuilder<>(access).CreateFence(AtomicOrdering::Release, scope);
+    if (load != nullptr ? isAcquireOrStronger(order) : strict)
+      IRBuilder<>(access->getNextNode())
+          .CreateFence(strict ? order : AtomicOrdering::Acquire, scope);
+    if (load != nullptr) {
+      load->setAtomic(AtomicOrdering::NotAtomic);
+      load->setVolatile(true);
+    } else {
+      store->setAtomic(AtomicOrdering::NotAtomic);
+      store->setVolatile(true);
+    }
+  }
+}
+
 OptimizationLevel middle_end_level(char level) {
   switch (level) {
     case '0':
@@ -168,6 +197,7 @@ std::string generate(Module& module, const Options& options) {
   std::unique_ptr<BfinTargetMachine> machine = make_machine(module);
   run_middle_end(module, *machine, options.level);
   align_locals(module);
+  lower_atomics(module);
   name_private_data(module);  // the middle end makes tables of its own
   std::string text;
   raw_string_ostream out(text);

@@ -50,6 +50,9 @@ std::string problem_of_assembly(const CallBase& call) {
 std::string problem_of_call(const CallBase& call) {
   if (call.isInlineAsm())
     return problem_of_assembly(call);
+  if (call.getIntrinsicID() == Intrinsic::returnaddress ||
+      call.getIntrinsicID() == Intrinsic::frameaddress)
+    return "addresses of frames and to return to are not supported";
   return isNamedInstruction(call.getCalledFunction()) ? problemOfNamedInstruction(call) : "";
 }
 

@@ -31,6 +31,8 @@ constexpr Case kCases[] = {
     {"FileAssembly", "__asm__(\"nop\");\n", "error: assembly outside functions is not supported"},
     {"Atomic", "int f(int *p) {\n  return __atomic_fetch_add(p, 1, __ATOMIC_SEQ_CST);\n}\n",
      "bad.c:2:10: error: atomic read-modify-write is not supported"},
+    {"ReturnAddress", "void *f(void) {\n  return __builtin_return_address(0);\n}\n",
+     "bad.c:2:10: error: addresses of frames and to return to are not supported"},
     {"Vector",
      "typedef int v4 __attribute__((vector_size(16)));\nv4 f(v4 a) {\n  return a + a;\n}\n",
      "error: vector types are not supported"},
