@@ -14,52 +14,13 @@
 #include "../target/BfinMachineFunctionInfo.hpp"
 #include "../target/BfinSubtarget.hpp"
 #include "HalfValues.hpp"
+#include "IndexForms.hpp"
 #include "PacketDag.hpp"
 
 namespace llvm {
 namespace {
 
-constexpr MCPhysReg kIndexRegisters[] = {Bfin::I0, Bfin::I1, Bfin::I2, Bfin::I3};
-
-/// The access through an I register that does the same; 0 where there is none.
-unsigned index_form(unsigned opcode) {
-  switch (opcode) {
-    case Bfin::LDW:
-      return Bfin::LDWI;
-    case Bfin::LDWInc:
-      return Bfin::LDWIInc;
-    case Bfin::LDWDec:
-      return Bfin::LDWIDec;
-    case Bfin::LDHZ:
-    case Bfin::LDHX:
-      return Bfin::LDLI;
-    case Bfin::LDHZInc:
-    case Bfin::LDHXInc:
-      return Bfin::LDLIInc;
-    case Bfin::LDHZDec:
-    case Bfin::LDHXDec:
-      return Bfin::LDLIDec;
-    case Bfin::STW:
-      return Bfin::STWI;
-    case Bfin::STWInc:
-      return Bfin::STWIInc;
-    case Bfin::STWDec:
-      return Bfin::STWIDec;
-    case Bfin::STH:
-      return Bfin::STHI;
-    case Bfin::STHInc:
-      return Bfin::STHIInc;
-    case Bfin::STHDec:
-      return Bfin::STHIDec;
-    default:
-      return 0;
-  }
-}
-
-bool is_half_load(unsigned index_opcode) {
-  return index_opcode == Bfin::LDLI || index_opcode == Bfin::LDLIInc ||
-         index_opcode == Bfin::LDLIDec;
-}
+constexpr MCPhysReg kIndexRegisters[kIndexRegisterCount] = {Bfin::I0, Bfin::I1, Bfin::I2, Bfin::I3};
 
 /// One access of a pointer, as it is and through an I register; one of the two is in the block.
 struct Access {
@@ -121,7 +82,7 @@ void swap(Stream& stream) {
   }
 }
 
-/// What C reaches by name may want one.
+/// What C reaches by name may want one, and two passes at once have theirs (BfinRotateLoops).
 bool uses_index_register(const MachineInstr& inst) {
   return any_of(kIndexRegisters, [&](MCPhysReg index) {
     return inst.readsRegister(index, nullptr) || inst.modifiesRegister(index, nullptr);
@@ -206,7 +167,7 @@ bool BfinIndexStreams::find_stream(const Loop& loop, MCPhysReg pointer, Stream& 
 std::vector<Stream> BfinIndexStreams::streams_of(const Loop& loop) {
   std::vector<Stream> streams;
   for (const MCPhysReg pointer : Bfin::PRegClass) {
-    if (streams.size() == std::size(kIndexRegisters))
+    if (streams.size() == kIndexRegisterCount)
       break;
     Stream stream;
     stream.index = kIndexRegisters[streams.size()];

@@ -1,35 +1,54 @@
-// Loads for the next pass of a small loop move to the end of the present one, where a packet has
-// room for them beside the arithmetic: a loop that loads and then multiplies need not wait for its
-// own loads.
+// Two passes of a small loop at once: the first stage of the next pass runs beside the second stage
+// of the present one, in packets that would have had room, or where it waited for its own results.
 //
-//   loop: L; R            L
+//   loop: F; S            F
 //                         if only one pass: jump last
-//                   loop: R; L            (one pass less)
-//                   last: R
+//                   loop: S and the next F  (one pass less)
+//                   last: S
 //
-// Looks at loops of one block on a loop counter that store nothing, before allocation. L are the
-// loads through what the pass begins with; nothing is loaded that was not before.
+// Looks at loops of one block on a loop counter, on SSA form before allocation; ModuloSchedule says
+// what belongs to F and to S and in which order they stand. Nothing is done that was not before.
+// Not where the loop saves less than what stands around it costs, nor where registers do not
+// suffice.
+#include <llvm/CodeGen/MachineBlockFrequencyInfo.h>
 #include <llvm/CodeGen/MachineFunctionPass.h>
 #include <llvm/CodeGen/MachineInstrBuilder.h>
 #include <llvm/CodeGen/MachineRegisterInfo.h>
+#include <llvm/InitializePasses.h>
 #include <map>
+#include <optional>
+#include <set>
 
 #include "../target/Bfin.hpp"
 #include "../target/BfinInstrInfo.hpp"
+#include "../target/BfinMachineFunctionInfo.hpp"
 #include "../target/BfinSubtarget.hpp"
+#include "ModuloSchedule.hpp"
 
 namespace llvm {
 namespace {
 
-constexpr size_t kMostInstructions = 12;  // of a body: it stands twice afterwards
+constexpr size_t kMostInstructions = 24;  // of a body: it stands twice afterwards
+constexpr unsigned kMostCycles = 4;       // of one instruction, with what it waits for
+constexpr double kCyclesAround = 6;       // for a count that may be one
+constexpr double kCyclesAroundKnown = 2;
+constexpr size_t kDataRegisters = 8;
+constexpr size_t kPointerRegisters = 6;
 
 using Registers = std::map<Register, Register>;
 
 class BfinRotateLoops : public MachineFunctionPass {
  public:
   static char ID;
-  BfinRotateLoops() : MachineFunctionPass(ID) {}
+  BfinRotateLoops() : MachineFunctionPass(ID) {
+    initializeMachineBlockFrequencyInfoWrapperPassPass(*PassRegistry::getPassRegistry());
+  }
   StringRef getPassName() const override { return "Blackfin loop rotation"; }
+  void getAnalysisUsage(AnalysisUsage& usage) const override {
+    usage.addRequired<AAResultsWrapperPass>();
+    usage.addRequired<MachineBlockFrequencyInfoWrapperPass>();
+    MachineFunctionPass::getAnalysisUsage(usage);
+  }
   bool runOnMachineFunction(MachineFunction& function) override;
 
  private:
@@ -38,19 +57,27 @@ class BfinRotateLoops : public MachineFunctionPass {
     MachineBasicBlock* before = nullptr;
     MachineBasicBlock* after = nullptr;
     MachineInstr* setup = nullptr;
-    std::vector<MachineInstr*> loads;
-    std::vector<MachineInstr*> rest;
+    std::vector<MachineInstr*> first;  // of each pass, the stage that runs a pass ahead
+    std::vector<MachineInstr*> second;
+    std::vector<MachineInstr*> order;  // of both in the loop
+    std::vector<IndexStream> streams;  // of pointers that move to I registers
   };
 
   bool find(MachineBasicBlock& block, Loop& loop) const;
-  bool sort_body(Loop& loop) const;
+  bool divide(Loop& loop) const;
+  bool pays(const Loop& loop, unsigned saved) const;
+  bool values_stay_in_their_banks(const MachineBasicBlock& block) const;
+  bool registers_suffice(const LoopDependences& loop, const ModuloSchedule& schedule,
+                         const std::vector<IndexStream>& streams) const;
   void rotate(Loop& loop);
-  Registers load_before(const Loop& loop);
+  Registers begin_before(const Loop& loop);
+  std::optional<int64_t> passes(const Loop& loop) const;
   bool runs_twice(const Loop& loop) const;
   void count_one_less(Loop& loop, MachineBasicBlock* last);
   MachineBasicBlock* make_last(const Loop& loop, const Registers& first, const Registers& next,
                                const Registers& found);
-  void forget_address(MachineInstr& load);
+  Register outside(MachineBasicBlock& last, Register value);
+  void forget_address(MachineInstr& access);
   void replace(MachineOperand& use, Register value);
   void clone(const MachineInstr& inst, MachineBasicBlock& block, Registers& values);
   Register incoming(const MachineInstr& phi, const MachineBasicBlock& from) const;
@@ -59,6 +86,8 @@ class BfinRotateLoops : public MachineFunctionPass {
   MachineFunction* function_ = nullptr;
   MachineRegisterInfo* regs_ = nullptr;
   const BfinInstrInfo* tii_ = nullptr;
+  AAResults* aliases_ = nullptr;
+  const MachineBlockFrequencyInfo* frequencies_ = nullptr;
 };
 
 char BfinRotateLoops::ID = 0;
@@ -84,46 +113,119 @@ bool BfinRotateLoops::find(MachineBasicBlock& block, Loop& loop) const {
   for (MachineInstr& inst : loop.before->terminators())
     if (inst.getOpcode() == Bfin::LOOPSETUP)
       loop.setup = &inst;
-  return loop.setup != nullptr && loop.before->succ_size() == 1 && sort_body(loop);
+  return loop.setup != nullptr && loop.before->succ_size() == 1 && divide(loop);
 }
 
-/// Into loads and the rest. False: nothing would be won.
-bool BfinRotateLoops::sort_body(Loop& loop) const {
-  bool has_partner = false;
-  for (MachineInstr& inst : *loop.block) {
-    if (inst.isPHI() || inst.isTerminator())
-      continue;
-    // A load that went past a store could not go back beside it: nobody knows then that they are
-    // apart.
-    if (inst.isCall() || inst.isInlineAsm() || inst.hasUnmodeledSideEffects() || inst.mayStore())
-      return false;
-    const bool ready = all_of(inst.all_uses(), [&](const MachineOperand& use) {
-      if (!use.getReg().isVirtual())
-        return false;
-      const MachineInstr* def = regs_->getVRegDef(use.getReg());
-      return def->isPHI() || def->getParent() != loop.block;
-    });
-    if (inst.mayLoad() && !inst.hasOrderedMemoryRef() && ready) {
-      loop.loads.push_back(&inst);
-    } else {
-      loop.rest.push_back(&inst);
-      has_partner |= BfinII::getSlot(inst.getDesc()) == BfinII::kDspSlot;
+/// Into stages. False: nothing would be won.
+bool BfinRotateLoops::divide(Loop& loop) const {
+  const LoopDependences dependences(*loop.block, *aliases_);
+  const std::vector<MachineInstr*>& instructions = dependences.instructions();
+  if (!dependences.complete() || instructions.empty() || instructions.size() > kMostInstructions ||
+      !values_stay_in_their_banks(*loop.block))
+    return false;
+  const std::vector<IndexStream> streams = index_streams(*loop.block);
+  const auto cycles = [&](unsigned stages, const std::vector<IndexStream>& indexed, unsigned most) {
+    return schedule_loop(dependences, *tii_, stages, most, indexed);
+  };
+  const unsigned alone = cycles(1, streams, kMostCycles * kMostInstructions).cycles;
+  if (alone < 2)
+    return false;
+  ModuloSchedule schedule = cycles(2, streams, alone - 1);
+  if (schedule.cycles == 0)
+    return false;
+  // As few I registers as that takes.
+  loop.streams = streams;
+  for (const IndexStream& stream : streams) {
+    std::vector<IndexStream> fewer = loop.streams;
+    llvm::erase_if(fewer, [&](const IndexStream& one) { return one.phi == stream.phi; });
+    if (ModuloSchedule other = cycles(2, fewer, schedule.cycles); other.cycles != 0) {
+      schedule = std::move(other);
+      loop.streams = std::move(fewer);
     }
   }
-  return has_partner && !loop.loads.empty() &&
-         loop.loads.size() + loop.rest.size() <= kMostInstructions;
+  if (!registers_suffice(dependences, schedule, loop.streams)) {
+    loop.streams.clear();
+    schedule = cycles(2, loop.streams, alone - 1);
+    if (schedule.cycles == 0 || !registers_suffice(dependences, schedule, loop.streams))
+      return false;
+  }
+  if (!pays(loop, alone - schedule.cycles))
+    return false;
+  for (const size_t i : kernel_order(dependences, schedule)) {
+    loop.order.push_back(instructions[i]);
+    (schedule.in_first_stage(i) ? loop.first : loop.second).push_back(instructions[i]);
+  }
+  return !loop.first.empty() && !loop.second.empty();
 }
 
-/// Lets an instruction read `value` instead, which may be of the other bank.
+/// What each pass saves against what stands around the loop: the count, a comparison, a branch.
+bool BfinRotateLoops::pays(const Loop& loop, unsigned saved) const {
+  const std::optional<int64_t> known = passes(loop);
+  const double count =
+      known ? static_cast<double>(*known)
+            : frequencies_->getBlockFreqRelativeToEntryBlock(loop.block) /
+                  std::max(frequencies_->getBlockFreqRelativeToEntryBlock(loop.before), 1e-6);
+  return (count - 1) * saved > (known ? kCyclesAroundKnown : kCyclesAround);
+}
+
+/// Whether each value that goes from pass to pass stays in one bank.
+bool BfinRotateLoops::values_stay_in_their_banks(const MachineBasicBlock& block) const {
+  return all_of(block.phis(), [&](const MachineInstr& phi) {
+    const TargetRegisterClass* wanted = regs_->getRegClass(phi.getOperand(0).getReg());
+    return regs_->getRegClass(incoming(phi, block)) == wanted && phi.getNumOperands() == 5 &&
+           phi.getOperand(1).getSubReg() == 0 && phi.getOperand(3).getSubReg() == 0;
+  });
+}
+
+/// Whether what lives at once in the loop has registers: its values, from cycle to cycle, and what
+/// comes from outside. A value's register is free again with its last use.
+bool BfinRotateLoops::registers_suffice(const LoopDependences& loop, const ModuloSchedule& schedule,
+                                        const std::vector<IndexStream>& streams) const {
+  const auto bank = [&](Register reg) -> size_t {
+    return Bfin::PRegClass.hasSubClassEq(regs_->getRegClass(reg)) ? 1 : 0;
+  };
+  std::array<std::vector<size_t>, 2> living;
+  living.fill(std::vector<size_t>(schedule.cycles, 0));
+  std::set<Register> outside;
+  std::map<Register, unsigned> ends;
+  const std::vector<MachineInstr*>& instructions = loop.instructions();
+  for (size_t i = 0; i < instructions.size(); ++i)
+    for (const MachineOperand& use : instructions[i]->all_uses()) {
+      if (!use.getReg().isVirtual())
+        continue;
+      Register reg = use.getReg();
+      unsigned end = schedule.times[i];
+      const MachineInstr* def = regs_->getVRegDef(reg);
+      if (def->isPHI() && def->getParent() == instructions[i]->getParent()) {
+        reg = incoming(*def, *def->getParent());
+        end += schedule.cycles;
+        def = regs_->getVRegDef(reg);
+      }
+      if (def->getParent() == instructions[i]->getParent())
+        ends[reg] = std::max(ends[reg], end);
+      else
+        outside.insert(reg);
+    }
+  // Of a register with a zero in its upper half no cycle is free.
+  for (const IndexStream& stream : streams)
+    for (const MachineInstr* load : stream.zero_extended)
+      ends[load->getOperand(0).getReg()] = 2 * schedule.cycles;
+  for (size_t i = 0; i < instructions.size(); ++i)
+    for (const MachineOperand& def : instructions[i]->defs())
+      if (const auto end = ends.find(def.getReg()); end != ends.end())
+        for (unsigned time = schedule.times[i] + 1;
+             time <= std::min(end->second, schedule.times[i] + schedule.cycles); ++time)
+          ++living[bank(def.getReg())][time % schedule.cycles];
+  std::array<size_t, 2> always = {};
+  for (const Register reg : outside)
+    ++always[bank(reg)];
+  return *std::max_element(living[0].begin(), living[0].end()) + always[0] <= kDataRegisters &&
+         *std::max_element(living[1].begin(), living[1].end()) + always[1] <= kPointerRegisters;
+}
+
+/// Lets an instruction read `value` instead.
 void BfinRotateLoops::replace(MachineOperand& use, Register value) {
-  const TargetRegisterClass* wanted = regs_->getRegClass(use.getReg());
-  MachineInstr& user = *use.getParent();
-  if (!wanted->hasSubClassEq(regs_->getRegClass(value))) {
-    const Register copy = regs_->createVirtualRegister(wanted);
-    BuildMI(*user.getParent(), user, user.getDebugLoc(), tii_->get(TargetOpcode::COPY), copy)
-        .addReg(value);
-    value = copy;
-  }
+  regs_->constrainRegClass(value, regs_->getRegClass(use.getReg()));
   use.setReg(value);
   use.setIsKill(false);
 }
@@ -146,23 +248,27 @@ void BfinRotateLoops::clone(const MachineInstr& inst, MachineBasicBlock& block, 
     }
 }
 
-/// The first pass's loads, in front of the loop. What each register of the body then is.
-Registers BfinRotateLoops::load_before(const Loop& loop) {
+/// The first pass's first stage, in front of the loop. What each register of the body then is.
+Registers BfinRotateLoops::begin_before(const Loop& loop) {
   Registers values;
   for (const MachineInstr& phi : loop.block->phis())
     values[phi.getOperand(0).getReg()] = incoming(phi, *loop.before);
-  for (const MachineInstr* load : loop.loads)
-    clone(*load, *loop.before, values);
+  for (const MachineInstr* inst : loop.first)
+    clone(*inst, *loop.before, values);
   return values;
 }
 
-bool BfinRotateLoops::runs_twice(const Loop& loop) const {
+/// How many passes there are, where that is known.
+std::optional<int64_t> BfinRotateLoops::passes(const Loop& loop) const {
   const MachineInstr* count = regs_->getVRegDef(loop.setup->getOperand(1).getReg());
   while (count->isCopy() && count->getOperand(1).getReg().isVirtual())
     count = regs_->getVRegDef(count->getOperand(1).getReg());
-  return (count->getOpcode() == Bfin::MOVI || count->getOpcode() == Bfin::MOVU) &&
-         count->getOperand(1).getImm() > 1;
+  if (count->getOpcode() != Bfin::MOVI && count->getOpcode() != Bfin::MOVU)
+    return std::nullopt;
+  return count->getOperand(1).getImm();
 }
+
+bool BfinRotateLoops::runs_twice(const Loop& loop) const { return passes(loop).value_or(0) > 1; }
 
 /// The loop makes one pass less; where that is none, control goes to the last one.
 void BfinRotateLoops::count_one_less(Loop& loop, MachineBasicBlock* last) {
@@ -189,6 +295,17 @@ void BfinRotateLoops::count_one_less(Loop& loop, MachineBasicBlock* last) {
   BuildMI(&before, loc, tii_->get(Bfin::JCC)).addMBB(last).addImm(0);
 }
 
+/// The value as it is behind `last`: pointers are in P registers there.
+Register BfinRotateLoops::outside(MachineBasicBlock& last, Register value) {
+  if (!Bfin::IRRegClass.hasSubClassEq(regs_->getRegClass(value)))
+    return value;
+  const Register pointer = regs_->createVirtualRegister(&Bfin::PRegClass);
+  BuildMI(last, last.getFirstTerminator(), DebugLoc(), tii_->get(TargetOpcode::COPY), pointer)
+      .addReg(value);
+  regs_->clearKillFlags(value);
+  return pointer;
+}
+
 /// The last pass, behind the loop, and where the only one begins. `first` and `next`: what the
 /// registers of the body are on the way from before the loop and from the loop; `found`: by what
 /// name the rest reads what the loads found.
@@ -212,7 +329,7 @@ MachineBasicBlock* BfinRotateLoops::make_last(const Loop& loop, const Registers&
   }
   for (const auto& [reg, phi] : found)
     values[phi] = values[reg];
-  for (const MachineInstr* inst : loop.rest)
+  for (const MachineInstr* inst : loop.second)
     clone(*inst, *last, values);
   // Whoever is outside sees the last pass.
   for (MachineInstr& inst : *loop.block)
@@ -222,45 +339,47 @@ MachineBasicBlock* BfinRotateLoops::make_last(const Loop& loop, const Registers&
       for (MachineOperand& use : make_early_inc_range(regs_->use_operands(def.getReg()))) {
         const MachineBasicBlock* user = use.getParent()->getParent();
         if (user != loop.block && user != last)
-          use.setReg(value_of(values, def.getReg()));
+          use.setReg(outside(*last, value_of(values, def.getReg())));
       }
     }
   last->addSuccessor(loop.after);
   if (!last->isLayoutSuccessor(loop.after))
-    BuildMI(last, loop.rest.back()->getDebugLoc(), tii_->get(Bfin::JUMP)).addMBB(loop.after);
+    BuildMI(last, loop.second.back()->getDebugLoc(), tii_->get(Bfin::JUMP)).addMBB(loop.after);
   loop.block->replaceSuccessor(loop.after, last);
   loop.after->replacePhiUsesWith(loop.block, last);
   return last;
 }
 
-/// What is known of a load's address is known of the pass that it was in, not of the next.
-void BfinRotateLoops::forget_address(MachineInstr& load) {
-  SmallVector<MachineMemOperand*, 1> accesses;
-  for (const MachineMemOperand* access : load.memoperands())
-    accesses.push_back(function_->getMachineMemOperand(
-        MachinePointerInfo(), access->getFlags(), access->getMemoryType(), access->getBaseAlign()));
-  load.setMemRefs(*function_, accesses);
+/// What is known of an access's address is known of the pass that it was in, not of the next.
+void BfinRotateLoops::forget_address(MachineInstr& access) {
+  SmallVector<MachineMemOperand*, 1> places;
+  for (const MachineMemOperand* place : access.memoperands())
+    places.push_back(in_any_pass(*function_, *place));
+  access.setMemRefs(*function_, places);
 }
 
 void BfinRotateLoops::rotate(Loop& loop) {
   MachineBasicBlock& block = *loop.block;
-  for (MachineInstr* load : loop.loads)
-    forget_address(*load);
-  const Registers first = load_before(loop);
+  for (const IndexStream& stream : loop.streams)
+    use_index_register(stream, *loop.before, *tii_);
+  for (MachineInstr* inst : loop.first)
+    forget_address(*inst);
+  const Registers first = begin_before(loop);
 
-  // What the loads found lives from one pass to the next.
+  // What the first stage found lives until the second one, in the next round of the loop.
   Registers found;
-  for (const MachineInstr* load : loop.loads)
-    for (const MachineOperand& def : load->defs())
-      found[def.getReg()] = alike(def.getReg());
-  for (MachineInstr* inst : loop.rest)
+  for (const MachineInstr* inst : loop.first)
+    for (const MachineOperand& def : inst->defs())
+      if (def.getReg().isVirtual())
+        found[def.getReg()] = alike(def.getReg());
+  for (MachineInstr* inst : loop.second)
     for (MachineOperand& use : inst->all_uses())
       if (found.count(use.getReg()) != 0) {
         use.setReg(found[use.getReg()]);
         use.setIsKill(false);
       }
   // What the registers of the body are when the next pass begins: by the pass's own end, but for
-  // the loads, which then are already made.
+  // the first stage, which then has run already.
   Registers next;
   for (MachineInstr& phi : block.phis()) {
     MachineOperand& own = phi.getOperand(phi.getOperand(2).getMBB() == &block ? 1 : 3);
@@ -269,14 +388,16 @@ void BfinRotateLoops::rotate(Loop& loop) {
     next[phi.getOperand(0).getReg()] = own.getReg();
   }
   Registers at_end = next;
-  for (MachineInstr* load : loop.loads) {
-    block.remove(load);
-    block.insert(block.getFirstTerminator(), load);
-    for (MachineOperand& use : load->all_uses())
-      replace(use, value_of(at_end, use.getReg()));
-    for (const MachineOperand& def : load->defs())
-      next[def.getReg()] = def.getReg();
+  for (MachineInstr* inst : loop.first) {
+    for (MachineOperand& use : inst->all_uses())
+      if (use.getReg().isVirtual())
+        replace(use, value_of(at_end, use.getReg()));
+    for (const MachineOperand& def : inst->defs())
+      if (def.getReg().isVirtual())
+        next[def.getReg()] = def.getReg();
   }
+  for (MachineInstr* inst : loop.order)
+    block.splice(block.getFirstTerminator(), &block, inst->getIterator());
   for (const auto& [reg, phi] : found)
     BuildMI(block, block.begin(), DebugLoc(), tii_->get(TargetOpcode::PHI), phi)
         .addReg(value_of(first, reg))
@@ -299,14 +420,18 @@ bool BfinRotateLoops::runOnMachineFunction(MachineFunction& function) {
   function_ = &function;
   regs_ = &function.getRegInfo();
   tii_ = function.getSubtarget<BfinSubtarget>().getInstrInfo();
+  aliases_ = &getAnalysis<AAResultsWrapperPass>().getAAResults();
+  frequencies_ = &getAnalysis<MachineBlockFrequencyInfoWrapperPass>().getMBFI();
   std::vector<Loop> loops;
   for (MachineBasicBlock& block : function) {
     Loop loop;
     if (find(block, loop))
       loops.push_back(std::move(loop));
   }
-  for (Loop& loop : loops)
+  for (Loop& loop : loops) {
     rotate(loop);
+    function.getInfo<BfinMachineFunctionInfo>()->ordered_blocks.insert(loop.block);
+  }
   return !loops.empty();
 }
 

@@ -8,50 +8,10 @@
 #include <llvm/CodeGen/MachineFunction.h>
 
 #include "../target/BfinSubtarget.hpp"
+#include "IndexForms.hpp"
 
 namespace llvm {
 namespace {
-
-/// Whether operand `index` of `inst`, a data register, is read beyond its low half.
-bool reads_upper_half(const MachineInstr& inst, unsigned index) {
-  switch (inst.getOpcode()) {
-    case Bfin::MULIS:
-    case Bfin::MULFU:
-    case Bfin::MAC0:
-    case Bfin::MAC1:
-    case Bfin::MACGET0:
-    case Bfin::MACGET1:
-    case Bfin::MACMAC:
-      return inst.getOperand(index + 1).getImm() != 0;
-    case Bfin::PACKLO:
-      return index == 1;
-    case Bfin::PACKHI:
-    case Bfin::ADDH_LL:
-    case Bfin::SUBH_LL:
-    case Bfin::MULT_LL:
-    case Bfin::MULTR_LL:
-    case Bfin::MULTW_LL:
-    case Bfin::PACK_LL:
-    case Bfin::SIGNBITSH_LL:
-    case Bfin::EXPADJH_LL:
-    case Bfin::ZXH:
-    case Bfin::SXH:
-    case Bfin::ZXB:
-    case Bfin::SXB:
-    case Bfin::STH:
-    case Bfin::STHInc:
-    case Bfin::STHDec:
-    case Bfin::STHI:
-    case Bfin::STHIInc:
-    case Bfin::STHIDec:
-    case Bfin::STB:
-    case Bfin::STBInc:
-    case Bfin::STBDec:
-      return false;
-    default:
-      return true;
-  }
-}
 
 /// Whether `inst` writes the low half and leaves the upper one.
 bool keeps_upper_half(const MachineInstr& inst) {

@@ -8,39 +8,10 @@
 #include <llvm/CodeGen/MachineInstrBundle.h>
 
 #include "../target/BfinSubtarget.hpp"
+#include "PacketSlots.hpp"
 
 namespace llvm {
 namespace {
-
-/// The DSP form of a two-byte operation, 0 where there is none.
-unsigned dsp_form(unsigned opcode) {
-  switch (opcode) {
-    case Bfin::ADD:
-      return Bfin::ADDNS;
-    case Bfin::SUB:
-      return Bfin::SUBNS;
-    default:
-      return 0;
-  }
-}
-
-/// The slot that an instruction can fill, kAlone where it never shares a packet.
-unsigned slot_of(const MachineInstr& inst, const BfinInstrInfo& tii) {
-  const unsigned slot = BfinII::getSlot(inst.getDesc());
-  if (slot == BfinII::kMemSlot && tii.getInstSizeInBytes(inst) != 2)
-    return BfinII::kAlone;
-  return dsp_form(inst.getOpcode()) != 0 ? unsigned{BfinII::kDspSlot} : slot;
-}
-
-bool stores_pointer(const MachineInstr& inst) {
-  if (!inst.mayStore())
-    return false;
-  return any_of(inst.explicit_uses(), [&](const MachineOperand& operand) {
-    return operand.isReg() && Bfin::PRegClass.contains(operand.getReg()) &&
-           (inst.getOpcode() == Bfin::STW ? &operand == &inst.getOperand(0)
-                                          : &operand == &inst.getOperand(1));
-  });
-}
 
 /// All slots read before any writes: a packet may hold what reads a register and what then
 /// overwrites it, and a load and the store behind it.
@@ -52,8 +23,9 @@ bool may_share(const SUnit& first, const SDep& dependency, const SUnit& second) 
 
 }  // namespace
 
-const PacketDag::Rule PacketDag::kRules[] = {{0, true}, {1, true},  {2, true},
-                                             {4, true}, {1, false}, {3, false}};
+const PacketDag::Rule PacketDag::kRules[] = {{0, true, true}, {1, true, true},  {2, true, true},
+                                             {4, true, true}, {1, false, true}, {3, false, true},
+                                             {0, true, false}};
 
 PacketDag::PacketDag(MachineFunction& function, const MachineLoopInfo* loops, AAResults* aliases)
     : ScheduleDAGInstrs(function, loops, /*RemoveKillFlags=*/true),
@@ -61,25 +33,11 @@ PacketDag::PacketDag(MachineFunction& function, const MachineLoopInfo* loops, AA
       tii_(*function.getSubtarget<BfinSubtarget>().getInstrInfo()) {}
 
 bool PacketDag::slots_allow(const Packet& packet, const SUnit& unit) const {
-  std::array<unsigned, 4> filled = {};
-  unsigned stores = 0;
-  bool shift = false;
-  bool pointer_stored = false;
-  const auto count = [&](const SUnit& one) {
-    const MachineInstr& inst = *one.getInstr();
-    ++filled[slot_of(inst, tii_)];
-    stores += inst.mayStore() ? 1 : 0;
-    shift |= BfinII::shiftsByNumber(inst.getDesc());
-    pointer_stored |= stores_pointer(inst);
+  PacketSlots slots;
+  const auto add = [&](const SUnit& one) {
+    return slots.add(*one.getInstr(), slot_of(*one.getInstr(), tii_));
   };
-  for (const SUnit* one : packet)
-    count(*one);
-  count(unit);
-  // Anomaly 05000074: no immediate shift beside a store of a pointer register.
-  return filled[BfinII::kAlone] == 0 && filled[BfinII::kDspSlot] <= 1 &&
-         filled[BfinII::kMemSlot] <= 1 &&
-         filled[BfinII::kMemSlot] + filled[BfinII::kIndexSlot] <= 2 && stores <= 1 &&
-         !(shift && pointer_stored);
+  return all_of(packet, [&](const SUnit* one) { return add(*one); }) && add(unit);
 }
 
 /// The unit is ready behind the packet's members alone, by reading what one overwrites or by
@@ -105,7 +63,7 @@ SUnit* PacketDag::best(const std::vector<SUnit*>& ready, const Rule& rule, unsig
   for (SUnit* unit : ready) {
     if (earliest_[unit->NodeNum] > cycle || (!packet.empty() && !may_join(packet, *unit)))
       continue;
-    auto rank = static_cast<int>(unit->getHeight());
+    auto rank = rule.by_height ? static_cast<int>(unit->getHeight()) : 0;
     if (packet.empty() && slot_of(*unit->getInstr(), tii_) != BfinII::kAlone &&
         !has_partner(*unit, ready, cycle))
       rank -= static_cast<int>(rule.penalty);

@@ -25,6 +25,7 @@ class PacketDag : public ScheduleDAGInstrs {
   struct Rule {
     unsigned penalty;   // for issuing alone what could share a packet, in cycles of height
     bool source_order;  // ties go to what comes first in the source, else to what comes last
+    bool by_height;     // else in the order of the source alone
   };
   using Packet = SmallVector<SUnit*, 3>;
   struct Order {

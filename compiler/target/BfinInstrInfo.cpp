@@ -1,5 +1,7 @@
 #include "BfinInstrInfo.hpp"
 
+#include <llvm/Analysis/AliasAnalysis.h>
+#include <llvm/Analysis/ValueTracking.h>
 #include <llvm/CodeGen/MachineFrameInfo.h>
 #include <llvm/CodeGen/MachineFunction.h>
 #include <llvm/CodeGen/MachineInstrBuilder.h>
@@ -7,7 +9,9 @@
 #include <llvm/MC/MCAsmInfo.h>
 #include <llvm/Support/ErrorHandling.h>
 #include <llvm/Target/TargetMachine.h>
+#include <optional>
 
+#include "BfinMachineFunctionInfo.hpp"
 #include "BfinSubtarget.hpp"
 
 #define GET_INSTRINFO_CTOR_DTOR
@@ -217,6 +221,47 @@ bool BfinInstrInfo::reverseBranchCondition(SmallVectorImpl<MachineOperand>& cond
     return true;  // a hardware loop only ever jumps back while it counts
   condition[0].setImm(condition[0].getImm() == 0);
   return false;
+}
+
+namespace {
+
+/// The objects that an access may go to; nothing where they are not all known.
+std::optional<SmallVector<const Value*, 4>> objects_of(const MachineInstr& access) {
+  if (!access.hasOneMemOperand() || (*access.memoperands_begin())->getValue() == nullptr)
+    return std::nullopt;
+  SmallVector<const Value*, 4> objects;
+  getUnderlyingObjects((*access.memoperands_begin())->getValue(), objects);
+  return objects;
+}
+
+/// As C's rules and restrict have it; the caller's pointers are no locals of the function.
+bool are_apart(const Value& a, const Value& b) {
+  if (&a == &b)
+    return false;
+  return (isIdentifiedObject(&a) && isIdentifiedObject(&b)) ||
+         (isIdentifiedFunctionLocal(&a) && isa<Argument>(b)) ||
+         (isIdentifiedFunctionLocal(&b) && isa<Argument>(a));
+}
+
+}  // namespace
+
+bool BfinInstrInfo::areMemAccessesTriviallyDisjoint(const MachineInstr& a,
+                                                    const MachineInstr& b) const {
+  if (a.hasOrderedMemoryRef() || b.hasOrderedMemoryRef())
+    return false;
+  const auto of_a = objects_of(a);
+  const auto of_b = objects_of(b);
+  return of_a && of_b && all_of(*of_a, [&](const Value* one) {
+           return all_of(*of_b, [&](const Value* other) { return are_apart(*one, *other); });
+         });
+}
+
+/// Before allocation nothing moves in blocks that are in order already, nor across assembly, which
+/// may change the I registers.
+bool BfinInstrInfo::isSchedulingBoundary(const MachineInstr& inst, const MachineBasicBlock* block,
+                                         const MachineFunction& function) const {
+  return function.getInfo<BfinMachineFunctionInfo>()->ordered_blocks.count(block) != 0 ||
+         inst.isInlineAsm() || TargetInstrInfo::isSchedulingBoundary(inst, block, function);
 }
 
 bool BfinInstrInfo::isBranchOffsetInRange(unsigned opcode, int64_t offset) const {

@@ -43,6 +43,10 @@ class BfinInstrInfo : public BfinGenInstrInfo {
                         MachineBasicBlock* not_taken, ArrayRef<MachineOperand> condition,
                         const DebugLoc& loc, int* bytes) const override;
   bool reverseBranchCondition(SmallVectorImpl<MachineOperand>& condition) const override;
+  /// Different objects lie apart, in whatever pass of a loop.
+  bool areMemAccessesTriviallyDisjoint(const MachineInstr& a, const MachineInstr& b) const override;
+  bool isSchedulingBoundary(const MachineInstr& inst, const MachineBasicBlock* block,
+                            const MachineFunction& function) const override;
   bool isBranchOffsetInRange(unsigned opcode, int64_t offset) const override;
   MachineBasicBlock* getBranchDestBlock(const MachineInstr& inst) const override;
   /// Bytes; for jumps and calls, whose form the linker picks, the longer form.

@@ -3,6 +3,7 @@
 
 #include <llvm/CodeGen/MachineFunction.h>
 #include <llvm/IR/Function.h>
+#include <set>
 
 namespace llvm {
 
@@ -30,6 +31,8 @@ class BfinMachineFunctionInfo : public MachineFunctionInfo {
   int varargs_index = 0;
   /// The function uses LC0 or LC1.
   bool has_hardware_loops = false;
+  /// Blocks whose instructions stand in the order that allocation shall find.
+  std::set<const MachineBasicBlock*> ordered_blocks;
 };
 
 }  // namespace llvm

@@ -29,7 +29,7 @@ const uint32_t* BfinRegisterInfo::getCallPreservedMask(const MachineFunction&,
 BitVector BfinRegisterInfo::getReservedRegs(const MachineFunction&) const {
   BitVector reserved(getNumRegs());
   reserved.set();
-  for (const TargetRegisterClass* rc : {&Bfin::DRegClass, &Bfin::PRegClass})
+  for (const TargetRegisterClass* rc : {&Bfin::DRegClass, &Bfin::PRegClass, &Bfin::IRRegClass})
     for (MCPhysReg reg : *rc)
       reserved.reset(reg);
   reserved.set(Bfin::SP);

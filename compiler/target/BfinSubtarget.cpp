@@ -29,27 +29,26 @@ bool in_class(const MachineOperand& operand, const TargetRegisterClass& rc,
 
 }  // namespace
 
+unsigned BfinSubtarget::latency(const MachineInstr& def, unsigned def_operand,
+                                const MachineInstr& use) {
+  const MachineRegisterInfo& regs = def.getMF()->getRegInfo();
+  bool pointer = in_class(def.getOperand(def_operand), Bfin::PRegClass, regs);
+  if (pointer && def_operand == 0 && def.mayLoad())
+    return kPointerLoadLatency;
+  if (pointer && (def.isCopy() || def.getOpcode() == Bfin::MOV) &&
+      in_class(def.getOperand(1), Bfin::DRegClass, regs))
+    return kDataToPointerLatency;
+  return BfinII::readsEarly(use.getDesc()) && !def.mayLoad() ? kEarlyReadLatency : 1;
+}
+
 void BfinSubtarget::adjustSchedDependency(SUnit* producer, int def_operand, SUnit* consumer,
                                           int use_operand, SDep& dependency,
                                           const TargetSchedModel*) const {
   if (!producer->isInstr() || !consumer->isInstr() || dependency.getKind() != SDep::Data ||
       def_operand < 0 || use_operand < 0)
     return;
-  const MachineInstr& def = *producer->getInstr();
-  const MachineInstr& use = *consumer->getInstr();
-  const MachineRegisterInfo& regs = def.getMF()->getRegInfo();
-  const MachineOperand& result = def.getOperand(static_cast<unsigned>(def_operand));
-  bool pointer = in_class(result, Bfin::PRegClass, regs);
-  unsigned latency = 1;
-  if (pointer && def_operand == 0 && def.mayLoad()) {
-    latency = kPointerLoadLatency;
-  } else if (pointer && (def.isCopy() || def.getOpcode() == Bfin::MOV) &&
-             in_class(def.getOperand(1), Bfin::DRegClass, regs)) {
-    latency = kDataToPointerLatency;
-  } else if (BfinII::readsEarly(use.getDesc()) && !def.mayLoad()) {
-    latency = kEarlyReadLatency;
-  }
-  dependency.setLatency(latency);
+  dependency.setLatency(
+      latency(*producer->getInstr(), static_cast<unsigned>(def_operand), *consumer->getInstr()));
 }
 
 }  // namespace llvm

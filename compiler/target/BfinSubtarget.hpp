@@ -26,6 +26,9 @@ class BfinSubtarget : public BfinGenSubtargetInfo {
   const BfinTargetLowering* getTargetLowering() const override { return &lowering_; }
   const SelectionDAGTargetInfo* getSelectionDAGInfo() const override { return &dag_info_; }
 
+  /// Cycles from `def`, whose operand `def_operand` is the result, until `use` can issue.
+  static unsigned latency(const MachineInstr& def, unsigned def_operand, const MachineInstr& use);
+
   bool enableMachineScheduler() const override { return true; }
   /// Stalls between producer and consumer (hardware.md 1.5), as latencies.
   void adjustSchedDependency(SUnit* producer, int def_operand, SUnit* consumer, int use_operand,

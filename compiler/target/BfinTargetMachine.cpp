@@ -77,10 +77,15 @@ class BfinPassConfig : public TargetPassConfig {
     addPass(createBfinHardwareLoops());
     addPass(createBfinAccumulators());
     addPass(createBfinSteps());
-    addPass(createBfinRotateLoops());
     addPass(createBfinBankSelect());
     addPass(createBfinKeptHalves());
     TargetPassConfig::addMachineSSAOptimization();
+  }
+
+  void addPreRegAlloc() override {
+    addPass(createBfinRotateLoops());
+    addPass(&OptimizePHIsID);
+    addPass(&DeadMachineInstructionElimID);
   }
 
   void addPreEmitPass() override {

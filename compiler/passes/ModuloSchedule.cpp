@@ -1,0 +1,222 @@
+// For each number of cycles from the least that might do: the longest ways between instructions say
+// how far apart any two must be, and a search with backtracking places one after another, the one
+// with the least choice first, where packets have room. It gives up after some steps.
+#include "ModuloSchedule.hpp"
+
+#include <optional>
+
+#include "PacketSlots.hpp"
+
+namespace llvm {
+namespace {
+
+constexpr unsigned kSteps = 2000;  // of the search, for each number of cycles
+constexpr int kMultiplyCycles = 3;
+constexpr int kNever = -1000000;
+
+class Search {
+ public:
+  Search(const LoopDependences& loop, const BfinInstrInfo& tii, unsigned cycles, unsigned stages,
+         const std::vector<IndexStream>& streams);
+
+  /// The times; nothing where none was found.
+  std::optional<std::vector<unsigned>> run();
+
+ private:
+  struct Window {
+    int earliest;
+    int latest;
+  };
+
+  bool find_distances();
+  bool place_rest(const std::vector<Window>& windows);
+  bool try_at(size_t i, int time, std::vector<Window> windows);
+  bool has_room(size_t i, int time) const;
+  bool stages_agree(size_t i, int time) const;
+  [[nodiscard]] size_t slot(int time) const { return static_cast<size_t>(time % cycles_); }
+  [[nodiscard]] int length(size_t i) const {
+    return insts_[i]->getOpcode() == Bfin::MUL ? kMultiplyCycles : 1;
+  }
+
+  const LoopDependences& loop_;
+  const std::vector<MachineInstr*>& insts_;
+  int cycles_;
+  int last_time_;
+  unsigned steps_ = kSteps;
+  std::vector<unsigned> slots_of_;           // what each instruction can fill
+  std::vector<std::vector<int>> distances_;  // from one to another, at least
+  std::vector<std::optional<int>> times_;
+  std::vector<std::vector<size_t>> table_;  // what issues in each cycle of the loop
+};
+
+Search::Search(const LoopDependences& loop, const BfinInstrInfo& tii, unsigned cycles,
+               unsigned stages, const std::vector<IndexStream>& streams)
+    : loop_(loop),
+      insts_(loop.instructions()),
+      cycles_(static_cast<int>(cycles)),
+      last_time_(static_cast<int>(stages * cycles) - 1),
+      times_(insts_.size()),
+      table_(cycles) {
+  for (MachineInstr* inst : insts_) {
+    const bool indexed = any_of(
+        streams, [&](const IndexStream& stream) { return is_contained(stream.accesses, inst); });
+    slots_of_.push_back(indexed ? unsigned{BfinII::kIndexSlot} : slot_of(*inst, tii));
+  }
+}
+
+/// Longest ways. False: some circle is longer than the passes it goes round allow.
+bool Search::find_distances() {
+  const size_t count = insts_.size();
+  distances_.assign(count, std::vector<int>(count, kNever));
+  for (const LoopDependence& dependence : loop_.all()) {
+    int& distance = distances_[dependence.from][dependence.to];
+    distance = std::max(distance, dependence.latency - cycles_ * dependence.distance);
+  }
+  for (size_t k = 0; k < count; ++k)
+    for (size_t i = 0; i < count; ++i)
+      for (size_t j = 0; j < count && distances_[i][k] != kNever; ++j)
+        if (distances_[k][j] != kNever)
+          distances_[i][j] = std::max(distances_[i][j], distances_[i][k] + distances_[k][j]);
+  for (size_t i = 0; i < count; ++i)
+    if (distances_[i][i] > 0)
+      return false;
+  return true;
+}
+
+bool Search::has_room(size_t i, int time) const {
+  for (int k = 0; k < length(i); ++k) {
+    PacketSlots slots;
+    for (const size_t member : table_[slot(time + k)])
+      slots.add(*insts_[member], slots_of_[member]);
+    if (!slots.add(*insts_[i], slots_of_[i]))
+      return false;
+  }
+  return true;
+}
+
+bool Search::stages_agree(size_t i, int time) const {
+  return all_of(loop_.same_stage(), [&](const auto& pair) {
+    if (pair.first != i && pair.second != i)
+      return true;
+    const std::optional<int>& other = times_[pair.first == i ? pair.second : pair.first];
+    return !other || (*other < cycles_) == (time < cycles_);
+  });
+}
+
+bool Search::try_at(size_t i, int time, std::vector<Window> windows) {
+  for (size_t j = 0; j < insts_.size(); ++j) {
+    if (distances_[i][j] != kNever)
+      windows[j].earliest = std::max(windows[j].earliest, time + distances_[i][j]);
+    if (distances_[j][i] != kNever)
+      windows[j].latest = std::min(windows[j].latest, time - distances_[j][i]);
+    if (windows[j].earliest > windows[j].latest)
+      return false;
+  }
+  windows[i] = {time, time};
+  times_[i] = time;
+  for (int k = 0; k < length(i); ++k)
+    table_[slot(time + k)].push_back(i);
+  if (place_rest(windows))
+    return true;
+  times_[i].reset();
+  for (int k = 0; k < length(i); ++k)
+    table_[slot(time + k)].pop_back();
+  return false;
+}
+
+bool Search::place_rest(const std::vector<Window>& windows) {
+  std::optional<size_t> next;
+  for (size_t i = 0; i < insts_.size(); ++i)
+    if (!times_[i] && (!next || windows[i].latest - windows[i].earliest <
+                                    windows[*next].latest - windows[*next].earliest))
+      next = i;
+  if (!next)
+    return true;
+  for (int time = windows[*next].earliest; time <= windows[*next].latest; ++time) {
+    if (!has_room(*next, time) || !stages_agree(*next, time))
+      continue;
+    if (steps_ == 0)
+      return false;
+    --steps_;
+    if (try_at(*next, time, windows))
+      return true;
+  }
+  return false;
+}
+
+std::optional<std::vector<unsigned>> Search::run() {
+  for (size_t i = 0; i < insts_.size(); ++i)
+    if (length(i) > cycles_)
+      return std::nullopt;
+  if (!find_distances())
+    return std::nullopt;
+  std::vector<Window> windows(insts_.size(), {0, last_time_});
+  for (size_t i = 0; i < insts_.size(); ++i)
+    for (size_t j = 0; j < insts_.size(); ++j)
+      if (distances_[i][j] != kNever) {
+        windows[j].earliest = std::max(windows[j].earliest, distances_[i][j]);
+        windows[i].latest = std::min(windows[i].latest, last_time_ - distances_[i][j]);
+      }
+  if (!place_rest(windows))
+    return std::nullopt;
+  std::vector<unsigned> times;
+  for (const std::optional<int>& time : times_)
+    times.push_back(static_cast<unsigned>(*time));
+  return times;
+}
+
+}  // namespace
+
+static bool is_allowed(const LoopDependences& loop, const ModuloSchedule& schedule,
+                       unsigned stages) {
+  return all_of(schedule.times, [&](unsigned time) { return time < stages * schedule.cycles; }) &&
+         all_of(loop.same_stage(), [&](const auto& pair) {
+           return schedule.in_first_stage(pair.first) == schedule.in_first_stage(pair.second);
+         });
+}
+
+ModuloSchedule schedule_loop(const LoopDependences& loop, const BfinInstrInfo& tii, unsigned stages,
+                             unsigned most, const std::vector<IndexStream>& streams) {
+  for (unsigned cycles = 1; cycles <= most; ++cycles) {
+    const std::optional<std::vector<unsigned>> times =
+        Search(loop, tii, cycles, stages, streams).run();
+    if (!times)
+      continue;
+    const unsigned first = *std::min_element(times->begin(), times->end());
+    // Where the second stage begins is free; it shall begin early, so that little runs ahead.
+    for (unsigned shift = stages == 1 ? 1 : cycles; shift-- > 0;) {
+      ModuloSchedule schedule{cycles, {}};
+      for (const unsigned time : *times)
+        schedule.times.push_back(time - first + shift);
+      if (is_allowed(loop, schedule, stages))
+        return schedule;
+    }
+  }
+  return {};
+}
+
+std::vector<size_t> kernel_order(const LoopDependences& loop, const ModuloSchedule& schedule) {
+  const size_t count = loop.instructions().size();
+  const auto stage = [&](size_t i) { return schedule.in_first_stage(i) ? 0 : 1; };
+  std::vector<size_t> order;
+  std::vector<bool> placed(count, false);
+  while (order.size() < count) {
+    std::optional<size_t> next;
+    for (size_t i = 0; i < count; ++i) {
+      const bool ready = none_of(loop.all(), [&](const LoopDependence& dependence) {
+        return dependence.to == i && dependence.from != i && !placed[dependence.from] &&
+               dependence.distance + stage(i) - stage(dependence.from) == 0;
+      });
+      if (!placed[i] && ready &&
+          (!next || schedule.times[i] % schedule.cycles < schedule.times[*next] % schedule.cycles))
+        next = i;
+    }
+    if (!next)
+      return {};  // in a circle
+    placed[*next] = true;
+    order.push_back(*next);
+  }
+  return order;
+}
+
+}  // namespace llvm
