@@ -141,7 +141,7 @@ bool find_accesses(IndexStream& stream, const MachineRegisterInfo& regs) {
     }
     reg = next;
   }
-  return stream.accesses.size() > 0;
+  return !stream.accesses.empty();
 }
 
 unsigned incoming_from(const MachineInstr& phi, const MachineBasicBlock& block) {
