@@ -12,6 +12,23 @@ bool is_aligned(const SCEV* value, ScalarEvolution& scev) {
   return scev.getMinTrailingZeros(value) >= 2;
 }
 
+void align_objects(ArrayRef<const SCEV*> values, ScalarEvolution& scev) {
+  const Align word(4);
+  for (const SCEV* value : values) {
+    if (!value->getType()->isPointerTy())
+      continue;
+    const auto* base = dyn_cast<SCEVUnknown>(scev.getPointerBase(value));
+    Value* object = base == nullptr ? nullptr : base->getValue();
+    auto* global = dyn_cast_or_null<GlobalVariable>(object);
+    auto* local = dyn_cast_or_null<AllocaInst>(object);
+    if (global != nullptr && global->getAlign().valueOrOne() < word &&
+        global->canIncreaseAlignment())
+      global->setAlignment(word);
+    if (local != nullptr && local->getAlign() < word)
+      local->setAlignment(word);
+  }
+}
+
 bool can_expand(ArrayRef<const SCEV*> values, ScalarEvolution& scev, Instruction* at) {
   SCEVExpander expander(scev, at->getModule()->getDataLayout(), "test");
   return all_of(values, [&](const SCEV* value) { return expander.isSafeToExpandAt(value, at); });

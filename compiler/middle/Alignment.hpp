@@ -9,6 +9,10 @@ namespace finback::compiler {
 /// Is it known to be a multiple of 4?
 [[nodiscard]] bool is_aligned(const llvm::SCEV* value, llvm::ScalarEvolution& scev);
 
+/// Objects of this module at whose addresses `values` begin are laid at multiples of 4, where
+/// nothing forbids. To be called before anybody asks for these values' alignment.
+void align_objects(llvm::ArrayRef<const llvm::SCEV*> values, llvm::ScalarEvolution& scev);
+
 /// Can all of them be computed before `at`?
 [[nodiscard]] bool can_expand(llvm::ArrayRef<const llvm::SCEV*> values, llvm::ScalarEvolution& scev,
                               llvm::Instruction* at);

@@ -3,6 +3,7 @@
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/Transforms/Utils/BasicBlockUtils.h>
 #include <llvm/Transforms/Utils/Cloning.h>
+#include <llvm/Transforms/Utils/Local.h>
 #include <llvm/Transforms/Utils/LoopSimplify.h>
 #include <llvm/Transforms/Utils/LoopUtils.h>
 #include <llvm/Transforms/Utils/UnrollLoop.h>
@@ -150,6 +151,7 @@ Loop* add_fast_copy(const Nest& nest, const NestAnalyses& analyses, ValueToValue
                     cast<BasicBlock>(&*map[exiting]));
   }
   Instruction* at = before->getTerminator();
+  align_objects(nest.aligned, analyses.scev);
   Value* test = write_test(nest.products.rounds, 2, nest.aligned, analyses.scev, at);
   IRBuilder<> builder(at);
   if (nest.guard != nullptr) {
@@ -181,6 +183,30 @@ void tidy(Loop& fast, const NestAnalyses& analyses) {
   formLCSSARecursively(fast, analyses.dominators, &analyses.loops, &analyses.scev);
 }
 
+/// Addresses behind the inner loop that lie at a known distance from one before are written so.
+void write_as_neighbours(BasicBlock& block, ScalarEvolution& scev) {
+  SmallVector<Value*, 4> bases;
+  for (Instruction& inst : block) {
+    Value* address = getLoadStorePointerOperand(&inst);
+    if (address == nullptr)
+      continue;
+    const SCEV* own = scev.getSCEV(address);
+    const auto base = find_if(bases, [&](Value* other) {
+      return isa<SCEVConstant>(scev.getMinusSCEV(own, scev.getSCEV(other)));
+    });
+    if (base == bases.end()) {
+      bases.push_back(address);
+      continue;
+    }
+    const auto* distance = cast<SCEVConstant>(scev.getMinusSCEV(own, scev.getSCEV(*base)));
+    if (distance->isZero())
+      continue;
+    Value* neighbour = IRBuilder<>(&inst).CreatePtrAdd(*base, distance->getValue());
+    inst.setOperand(isa<StoreInst>(inst) ? 1 : 0, neighbour);
+    RecursivelyDeleteTriviallyDeadInstructions(address);
+  }
+}
+
 }  // namespace
 
 std::optional<JammedNest> jam_products(const ProductLoop& products, const NestAnalyses& analyses) {
@@ -192,12 +218,14 @@ std::optional<JammedNest> jam_products(const ProductLoop& products, const NestAn
   tidy(*fast, analyses);
   Loop* inner = fast->getSubLoops()[0];
   ScalarEvolution& scev = analyses.scev;
-  if (isSafeToUnrollAndJam(fast, scev, analyses.dominators, analyses.dependences, analyses.loops))
+  if (isSafeToUnrollAndJam(fast, scev, analyses.dominators, analyses.dependences, analyses.loops)) {
     UnrollAndJamLoop(fast, 2, scev.getSmallConstantTripCount(fast),
                      scev.getSmallConstantTripMultiple(fast), false, &analyses.loops, &scev,
                      &analyses.dominators, &analyses.assumptions, &analyses.target,
                      &analyses.remarks);
-  scev.forgetAllLoops();
+    scev.forgetAllLoops();
+    write_as_neighbours(*inner->getExitBlock(), scev);
+  }
   return JammedNest{inner, nest.aligned};
 }
 

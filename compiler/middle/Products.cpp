@@ -58,6 +58,7 @@ bool pair_under_test(const ProductLoop& products, ScalarEvolution& scev) {
       {products.rounds, plan->own.start, plan->own.step, plan->shared.start, plan->shared.step});
   if (!can_expand(wanted, scev, at))
     return false;
+  align_objects(plan->aligned, scev);
   pair(*plan, scev, write_test(products.rounds, kLeastRounds / 2, plan->aligned, scev, at));
   return true;
 }

@@ -76,6 +76,7 @@ class BfinAccumulators : public MachineFunctionPass {
   void convert(Sum& sum, const Accumulator& accumulator, const Loop& loop);
   void fetch(Sum& sum, const Accumulator& accumulator, const Loop& loop);
   void join_pairs(MachineBasicBlock& block);
+  void join_clears(MachineBasicBlock& before);
   void plain_sums(MachineFunction& function);
 
   MachineRegisterInfo* regs_ = nullptr;
@@ -228,6 +229,20 @@ void BfinAccumulators::join_pairs(MachineBasicBlock& block) {
   }
 }
 
+/// Both accumulators are cleared by one instruction.
+void BfinAccumulators::join_clears(MachineBasicBlock& before) {
+  MachineInstr* clears[2] = {};
+  for (MachineInstr& inst : before)
+    for (const unsigned i : {0U, 1U})
+      if (inst.getOpcode() == kAccumulators[i].clear)
+        clears[i] = &inst;
+  if (clears[0] == nullptr || clears[1] == nullptr)
+    return;
+  BuildMI(before, before.getFirstTerminator(), clears[0]->getDebugLoc(), tii_->get(Bfin::CLRAA));
+  clears[0]->eraseFromParent();
+  clears[1]->eraseFromParent();
+}
+
 bool BfinAccumulators::visit(Loop& loop) {
   std::vector<Sum> sums;
   for (MachineInstr& phi : loop.block->phis()) {
@@ -246,6 +261,7 @@ bool BfinAccumulators::visit(Loop& loop) {
   for (const auto& [sum, accumulator] : zip(sums, kAccumulators))
     convert(sum, accumulator, loop);
   join_pairs(*loop.block);
+  join_clears(*loop.before);
   return true;
 }
 

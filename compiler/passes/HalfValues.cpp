@@ -20,6 +20,7 @@ bool keeps_upper_half(const MachineInstr& inst) {
     case Bfin::LDLI:
     case Bfin::LDLIInc:
     case Bfin::LDLIDec:
+    case Bfin::LDLOStride:
       return true;
     default:
       return false;

@@ -24,6 +24,8 @@ FunctionPass* createBfinISelDag(BfinTargetMachine& machine, CodeGenOptLevel leve
 FunctionPass* createBfinHardwareLoops();
 /// Keeps sums of products in A0 and A1 while their loop runs.
 FunctionPass* createBfinAccumulators();
+/// Accesses that step by a register, or by themselves, instead of a sum of their own.
+FunctionPass* createBfinStrides();
 /// Lets accesses step their pointers in loops, where distances from the pointer were left.
 FunctionPass* createBfinSteps();
 /// Loads for a loop's next pass at the end of the present one.

@@ -122,6 +122,20 @@ let mayLoad = true, IssueSlot = MemSlot in {
     def LDBX#step : LoadStep<D, "B", sign, " (X)">;
   }
 }
+// Steps by a register, and loads into one half, which have no other step (BfinStrides).
+let mayLoad = true, IssueSlot = MemSlot in {
+  class LoadStride<string access, string extension>
+      : BfinInst<2, (outs D:$rd, P:$next), (ins P:$base, P:$by), "$rd = "#access#"[$base ++ $by]"#extension> {
+    let Constraints = "$base = $next";
+  }
+  def LDWStride : LoadStride<"", "">;
+  def LDHZStride : LoadStride<"W", " (Z)">;
+  def LDHXStride : LoadStride<"W", " (X)">;
+  foreach half = ["LO", "HI"] in
+  let Constraints = "$base = $next, $old = $rd" in
+  def LD#half#Stride : BfinInst<2, (outs D:$rd, P:$next), (ins P:$base, P:$by, D:$old),
+                                "${rd}."#!if(!eq(half, "LO"), "L", "H")#" = W[$base ++ $by]">;
+}
 def : Pat<(extloadi16 AddrH:$m), (LDHZ Mem:$m)>;
 def : Pat<(extloadi8 AddrB:$m), (LDBZ Mem:$m)>;
 

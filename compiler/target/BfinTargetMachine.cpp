@@ -76,6 +76,7 @@ class BfinPassConfig : public TargetPassConfig {
   void addMachineSSAOptimization() override {
     addPass(createBfinHardwareLoops());
     addPass(createBfinAccumulators());
+    addPass(createBfinStrides());
     addPass(createBfinSteps());
     addPass(createBfinBankSelect());
     addPass(createBfinKeptHalves());
