@@ -1,11 +1,13 @@
 #include "JamProducts.hpp"
 
 #include <llvm/IR/IRBuilder.h>
+#include <llvm/IR/Module.h>
 #include <llvm/Transforms/Utils/BasicBlockUtils.h>
 #include <llvm/Transforms/Utils/Cloning.h>
 #include <llvm/Transforms/Utils/Local.h>
 #include <llvm/Transforms/Utils/LoopSimplify.h>
 #include <llvm/Transforms/Utils/LoopUtils.h>
+#include <llvm/Transforms/Utils/ScalarEvolutionExpander.h>
 #include <llvm/Transforms/Utils/UnrollLoop.h>
 
 #include "Alignment.hpp"
@@ -183,8 +185,11 @@ void tidy(Loop& fast, const NestAnalyses& analyses) {
   formLCSSARecursively(fast, analyses.dominators, &analyses.loops, &analyses.scev);
 }
 
-/// Addresses behind the inner loop that lie at a known distance from one before are written so.
+/// Addresses behind the inner loop step from round to round; those that lie at a known distance
+/// from one before are written so.
 void write_as_neighbours(BasicBlock& block, ScalarEvolution& scev) {
+  SCEVExpander expander(scev, block.getModule()->getDataLayout(), "behind");
+  expander.disableCanonicalMode();
   SmallVector<Value*, 4> bases;
   for (Instruction& inst : block) {
     Value* address = getLoadStorePointerOperand(&inst);
@@ -194,15 +199,19 @@ void write_as_neighbours(BasicBlock& block, ScalarEvolution& scev) {
     const auto base = find_if(bases, [&](Value* other) {
       return isa<SCEVConstant>(scev.getMinusSCEV(own, scev.getSCEV(other)));
     });
+    Value* better = nullptr;
     if (base == bases.end()) {
-      bases.push_back(address);
-      continue;
+      if (expander.isSafeToExpandAt(own, &inst))
+        better = expander.expandCodeFor(own, address->getType(), &inst);
+      bases.push_back(better == nullptr ? address : better);
+    } else {
+      const auto* distance = cast<SCEVConstant>(scev.getMinusSCEV(own, scev.getSCEV(*base)));
+      better =
+          distance->isZero() ? *base : IRBuilder<>(&inst).CreatePtrAdd(*base, distance->getValue());
     }
-    const auto* distance = cast<SCEVConstant>(scev.getMinusSCEV(own, scev.getSCEV(*base)));
-    if (distance->isZero())
+    if (better == nullptr || better == address)
       continue;
-    Value* neighbour = IRBuilder<>(&inst).CreatePtrAdd(*base, distance->getValue());
-    inst.setOperand(isa<StoreInst>(inst) ? 1 : 0, neighbour);
+    inst.setOperand(isa<StoreInst>(inst) ? 1 : 0, better);
     RecursivelyDeleteTriviallyDeadInstructions(address);
   }
 }

@@ -1,6 +1,7 @@
 #include "PairProducts.hpp"
 
 #include <llvm/IR/IRBuilder.h>
+#include <llvm/IR/MDBuilder.h>
 #include <llvm/IR/Module.h>
 #include <llvm/Transforms/Utils/LoopUtils.h>
 #include <llvm/Transforms/Utils/ScalarEvolutionExpander.h>
@@ -148,6 +149,7 @@ Value* Writer::expand(const SCEV* value) {
   if (const auto* constant = dyn_cast<SCEVConstant>(value))
     return constant->getValue();
   SCEVExpander expander(scev_, function_.getParent()->getDataLayout(), "pairs");
+  expander.disableCanonicalMode();  // an address that steps with the loop around, steps there
   return expander.expandCodeFor(value, value->getType(),
                                 plan_.products.loop->getLoopPreheader()->getTerminator());
 }
@@ -308,7 +310,9 @@ Writer::State Writer::write_odd_round(const State& state, Value* rounds) {
   BasicBlock* entry = builder_.GetInsertBlock();
   BasicBlock* one = block("odd");
   BasicBlock* done = block("odd.done");
-  builder_.CreateCondBr(builder_.CreateICmpEQ(odd, builder_.getInt32(0)), done, one);
+  // Even numbers are what most arrays have: that way shall lead straight on.
+  builder_.CreateCondBr(builder_.CreateICmpEQ(odd, builder_.getInt32(0)), done, one,
+                        MDBuilder(context_).createBranchWeights(8, 1));
   builder_.SetInsertPoint(one);
   State with = state;
   Value* shared = load_half(state.shared, plan_.shared);

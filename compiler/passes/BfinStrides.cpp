@@ -48,6 +48,7 @@ struct Walk {
   std::vector<MachineInstr*> accesses;
   std::optional<int64_t> bytes;  // of the step, where it is known
   Register by;                   // the register that it is in, where it is in one
+  bool lives_on = false;         // is the pointer wanted behind the loop?
 };
 
 class BfinStrides : public MachineFunctionPass {
@@ -66,6 +67,7 @@ class BfinStrides : public MachineFunctionPass {
   bool join_step(const Walk& walk);
   void move_start(const Walk& walk, int64_t bytes);
   Register stride_register(const Walk& walk, int64_t bytes);
+  Register in_pointer(const Walk& walk);
   void load_by_stride(MachineInstr& load, Register& pointer, Register next, Register stride);
 
   MachineRegisterInfo* regs_ = nullptr;
@@ -94,19 +96,27 @@ std::optional<Walk> BfinStrides::walk_of(MachineInstr& phi) const {
   walk.phi = &phi;
   walk.step = next.isVirtual() ? regs_->getVRegDef(next) : nullptr;
   if (walk.step == nullptr || walk.step->getParent() != phi.getParent() ||
-      !regs_->hasOneNonDBGUse(next))
+      !regs_->constrainRegClass(pointer, &Bfin::PRegClass))
     return std::nullopt;
+  for (const MachineInstr& use : regs_->use_nodbg_instructions(next)) {
+    if (&use != &phi && use.getParent() == phi.getParent())
+      return std::nullopt;
+    walk.lives_on |= &use != &phi;
+  }
   if (walk.step->getOpcode() == Bfin::ADDI && walk.step->getOperand(1).getReg() == pointer) {
     walk.bytes = walk.step->getOperand(2).getImm();
   } else if (walk.step->getOpcode() == Bfin::ADD_X) {
     const bool first = walk.step->getOperand(1).getReg() == pointer;
     walk.by = walk.step->getOperand(first ? 2 : 1).getReg();
     const MachineInstr* def = walk.by.isVirtual() ? regs_->getVRegDef(walk.by) : nullptr;
-    if (walk.step->getOperand(first ? 1 : 2).getReg() != pointer || def == nullptr ||
-        def->getParent() == phi.getParent())
+    while (def != nullptr && def->isCopy() && def->getOperand(1).getReg().isVirtual())
+      def = regs_->getVRegDef(def->getOperand(1).getReg());
+    if (walk.step->getOperand(first ? 1 : 2).getReg() != pointer || def == nullptr)
       return std::nullopt;
     if (def->getOpcode() == Bfin::MOVI)
       walk.bytes = def->getOperand(1).getImm();
+    else if (def->getParent() == phi.getParent())
+      return std::nullopt;
   } else {
     return std::nullopt;
   }
@@ -201,6 +211,17 @@ Register BfinStrides::stride_register(const Walk& walk, int64_t bytes) {
   return entry->second;
 }
 
+/// A step that is only known when the loop begins, in a pointer register.
+Register BfinStrides::in_pointer(const Walk& walk) {
+  MachineBasicBlock& before = entry_of(*walk.phi);
+  const Register step = regs_->createVirtualRegister(&Bfin::PRegClass);
+  BuildMI(before, before.getFirstTerminator(), walk.step->getDebugLoc(),
+          tii_->get(TargetOpcode::COPY), step)
+      .addReg(walk.by);
+  regs_->clearKillFlags(walk.by);
+  return step;
+}
+
 /// One load, which leaves `next` as the pointer.
 void BfinStrides::load_by_stride(MachineInstr& load, Register& pointer, Register next,
                                  Register stride) {
@@ -230,19 +251,22 @@ bool BfinStrides::use_strides(const Walk& walk) {
   });
   const std::optional<int64_t> stride = stride_of(walk);
   const bool unknown = !walk.bytes && walk.accesses.size() == 1;
-  if (!loads || (!stride && !unknown) || (stride && !isInt<16>(*stride)) || !in_order(walk))
+  const int64_t first = walk.accesses.front()->getOperand(2).getImm();
+  if (!loads || (walk.lives_on && first != 0) || (!stride && !unknown) ||
+      (stride && !isInt<16>(*stride)) || !in_order(walk))
     return false;
   // Without a half to be made, steps of the size need no register.
   const bool halves =
       all_of(walk.accesses, [&](const MachineInstr* load) { return half_of(*load) != nullptr; });
   if (stride && !halves && std::abs(*stride) == forms_of(*walk.accesses.front())->size)
     return false;
-  move_start(walk, walk.accesses.front()->getOperand(2).getImm());
-  const Register by = stride ? stride_register(walk, *stride) : walk.by;
+  move_start(walk, first);
+  const Register by = stride ? stride_register(walk, *stride) : in_pointer(walk);
   Register pointer = walk.phi->getOperand(0).getReg();
   const Register last = walk.step->getOperand(0).getReg();
   regs_->clearKillFlags(by);
   regs_->clearKillFlags(pointer);
+  regs_->constrainRegClass(last, &Bfin::PRegClass);
   walk.step->eraseFromParent();
   for (MachineInstr* load : walk.accesses)
     load_by_stride(
@@ -269,6 +293,7 @@ bool BfinStrides::join_step(const Walk& walk) {
   MachineInstr& access = **found;
   MachineBasicBlock& block = *access.getParent();
   const Register next = walk.step->getOperand(0).getReg();
+  regs_->constrainRegClass(next, &Bfin::PRegClass);
   walk.step->eraseFromParent();
   for (MachineInstr* other : behind) {
     if (!stores_) {
