@@ -246,8 +246,9 @@ void BfinStrides::load_by_stride(MachineInstr& load, Register& pointer, Register
 }
 
 bool BfinStrides::use_strides(const Walk& walk) {
-  const bool loads = all_of(walk.accesses, [](const MachineInstr* access) {
-    return access->mayLoad() && forms_of(*access)->stride != 0;
+  const bool loads = all_of(walk.accesses, [&](const MachineInstr* access) {
+    return access->mayLoad() && forms_of(*access)->stride != 0 &&
+           regs_->constrainRegClass(access->getOperand(0).getReg(), &Bfin::DRegClass) != nullptr;
   });
   const std::optional<int64_t> stride = stride_of(walk);
   const bool unknown = !walk.bytes && walk.accesses.size() == 1;
@@ -331,8 +332,11 @@ bool BfinStrides::runOnMachineFunction(MachineFunction& function) {
       stores_ |= inst.mayStore() && !inst.isTerminator();
       order_[&inst] = static_cast<int>(order_.size());
     }
+    SmallVector<MachineInstr*, 8> phis;
     for (MachineInstr& phi : block.phis())
-      if (const std::optional<Walk> walk = walk_of(phi))
+      phis.push_back(&phi);
+    for (MachineInstr* phi : phis)
+      if (const std::optional<Walk> walk = walk_of(*phi))
         changed |= use_strides(*walk) || join_step(*walk);
   }
   return changed;
