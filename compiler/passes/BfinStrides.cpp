@@ -17,6 +17,8 @@
 namespace llvm {
 namespace {
 
+constexpr int64_t kShortReach = 15;  // elements above the pointer that a short access reaches
+
 /// An access with base and displacement, and its forms: stepping by its size, by a register.
 struct Forms {
   unsigned plain;
@@ -283,7 +285,12 @@ bool BfinStrides::join_step(const Walk& walk) {
     return access->getOperand(2).getImm() == 0 && forms_of(*access)->size == walk.bytes;
   };
   const auto found = find_if(walk.accesses, joins);
-  if (walk.accesses.size() < 2 || found == walk.accesses.end())
+  // Those further off are better served by a pointer of their own (BfinSteps).
+  const bool near = all_of(walk.accesses, [](const MachineInstr* access) {
+    const int64_t distance = access->getOperand(2).getImm();
+    return distance >= 0 && distance <= kShortReach * forms_of(*access)->size;
+  });
+  if (walk.accesses.size() < 2 || found == walk.accesses.end() || !near)
     return false;
   const auto behind = make_range(std::next(found), walk.accesses.end());
   if (stores_ && !all_of(behind, [&](const MachineInstr* access) {

@@ -60,6 +60,7 @@ bool reads_upper_half(const MachineInstr& inst, unsigned index) {
     case Bfin::PACKLO:
       return index == 1;
     case Bfin::PACKHI:
+    case Bfin::LDHIStride:  // the old word
     case Bfin::ADDH_LL:
     case Bfin::SUBH_LL:
     case Bfin::MULT_LL:

@@ -64,6 +64,15 @@ TEST_F(Products, ColumnsAreTakenTwoAtATime) {
               "      p[i][j] = s;\n    }\n}\n"),
       "f");
   EXPECT_GE(count(body, ", A0 +="), 2) << body;
+  EXPECT_EQ(pairs_with(body, 2), 1) << "a row's two factors and two pairs of columns\n" << body;
+}
+
+TEST_F(Products, ColumnsAreReadByStrides) {
+  const std::string body = function_of(
+      compile("int f(const int m[9][20]) {\n  int s = 0;\n"
+              "  for (int i = 0; i < 9; i++) s ^= m[i][3];\n  return s;\n}\n"),
+      "f");
+  EXPECT_GE(count(body, " ++ P"), 1) << body;
 }
 
 constexpr const char* kFilter =
@@ -78,6 +87,8 @@ TEST_F(Products, FiltersSumUpTwoOutputsTogether) {
       kFilter);
   EXPECT_GE(count(text, ".L, A0 += "), 1) << text;
   EXPECT_GE(count(text, ".H, A0 += "), 1) << text;
+  EXPECT_GE(count(text, ".L = W[P"), 1) << "halves are loaded where they are wanted\n" << text;
+  EXPECT_EQ(count(text, "PACK"), 0) << text;
 }
 
 // y may be what x is: each output has to be there before the next one is begun.
@@ -85,7 +96,8 @@ TEST_F(Products, OutputsThatMayBeReadAreNotSummedUpTogether) {
   const std::string text =
       compile(std::string("void f(const short *x, const short *t, short *y, int n, int taps) {\n") +
               kFilter);
-  EXPECT_EQ(count(text, "PACK"), 0) << text;
+  EXPECT_EQ(count(text, ", A0 += R"), 2) << "those of one output: ahead, and the last\n" << text;
+  EXPECT_EQ(count(text, ".H = W"), 0) << text;
 }
 
 TEST_F(Products, SizeComesFirstWhereAskedFor) {
