@@ -198,6 +198,13 @@ ModuloSchedule schedule_loop(const LoopDependences& loop, const BfinInstrInfo& t
 std::vector<size_t> kernel_order(const LoopDependences& loop, const ModuloSchedule& schedule) {
   const size_t count = loop.instructions().size();
   const auto stage = [&](size_t i) { return schedule.in_first_stage(i) ? 0 : 1; };
+  // Of one cycle, what overwrites its operands comes last: the others read them, too.
+  const auto place = [&](size_t i) {
+    const MachineInstr& inst = *loop.instructions()[i];
+    const auto overwritten =
+        count_if(inst.all_uses(), [](const MachineOperand& use) { return use.isTied(); });
+    return std::pair(schedule.times[i] % schedule.cycles, overwritten);
+  };
   std::vector<size_t> order;
   std::vector<bool> placed(count, false);
   while (order.size() < count) {
@@ -207,8 +214,7 @@ std::vector<size_t> kernel_order(const LoopDependences& loop, const ModuloSchedu
         return dependence.to == i && dependence.from != i && !placed[dependence.from] &&
                dependence.distance + stage(i) - stage(dependence.from) == 0;
       });
-      if (!placed[i] && ready &&
-          (!next || schedule.times[i] % schedule.cycles < schedule.times[*next] % schedule.cycles))
+      if (!placed[i] && ready && (!next || place(i) < place(*next)))
         next = i;
     }
     if (!next)

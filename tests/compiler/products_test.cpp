@@ -117,8 +117,9 @@ TEST_F(Products, DifferencesOfSquaresAreAddedAndTakenOff) {
               "  for (int i = 0; i < n; i++) {\n    int in = x[i + 9], out = x[i];\n"
               "    s += in * in - out * out;\n    y[i] = s;\n  }\n}\n"),
       "f");
-  EXPECT_EQ(count(body, "A0 += "), 1) << body;
-  EXPECT_EQ(count(body, "(A0 -= "), 1) << body;
+  EXPECT_GE(count(body, "A0 += "), 1) << body;
+  EXPECT_EQ(count(body, "(A0 -= "), count(body, "A0 += ")) << body;
+  EXPECT_EQ(count(body, "*="), 0) << body;
 }
 
 // Of a word's product only bits are wanted that the low halves decide.
