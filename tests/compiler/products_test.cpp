@@ -68,10 +68,10 @@ TEST_F(Products, ColumnsAreTakenTwoAtATime) {
 }
 
 TEST_F(Products, ColumnsAreReadByStrides) {
-  const std::string body = function_of(
-      compile("int f(const int m[9][20]) {\n  int s = 0;\n"
-              "  for (int i = 0; i < 9; i++) s ^= m[i][3];\n  return s;\n}\n"),
-      "f");
+  const std::string body =
+      function_of(compile("int f(const int m[9][20]) {\n  int s = 0;\n"
+                          "  for (int i = 0; i < 9; i++) s ^= m[i][3];\n  return s;\n}\n"),
+                  "f");
   EXPECT_GE(count(body, " ++ P"), 1) << body;
 }
 
