@@ -59,7 +59,6 @@ class Writer {
       : plan_(plan),
         scev_(scev),
         builder_(before),
-        before_(before),
         function_(*before->getParent()),
         context_(before->getContext()),
         word_(Type::getInt32Ty(context_)) {
@@ -120,7 +119,6 @@ class Writer {
   const PairPlan& plan_;
   ScalarEvolution& scev_;
   IRBuilder<> builder_;
-  BasicBlock* before_;
   Function& function_;
   LLVMContext& context_;
   Type* word_;
