@@ -180,14 +180,21 @@ bool BfinSteps::put_in_order(const Run& run) const {
 MachineInstr& BfinSteps::another_pointer(const Pointer& pointer, MachineBasicBlock& before,
                                          int64_t distance) {
   MachineBasicBlock& block = *pointer.phi->getParent();
-  const Register start = pointer.phi->getOperand(operand_from(*pointer.phi, before)).getReg();
+  Register start = pointer.phi->getOperand(operand_from(*pointer.phi, before)).getReg();
+  const MachineInstr* from = start.isVirtual() ? regs_->getVRegDef(start) : nullptr;
+  if (from != nullptr && from->getOpcode() == Bfin::ADDI) {
+    start = from->getOperand(1).getReg();
+    distance += from->getOperand(2).getImm();
+  }
   const DebugLoc& loc = pointer.step->getDebugLoc();
   const auto of_class = [&](const TargetRegisterClass& rc) {
     return regs_->createVirtualRegister(&rc);
   };
   const auto at = before.getFirstTerminator();
-  const Register first = of_class(Bfin::DPRegClass);
-  if (isInt<7>(distance)) {
+  const Register first = distance == 0 ? start : of_class(Bfin::DPRegClass);
+  if (distance == 0) {
+    // The pointer came to the loop at a distance.
+  } else if (isInt<7>(distance)) {
     BuildMI(before, at, loc, tii_->get(Bfin::ADDI), first).addReg(start).addImm(distance);
   } else {
     const Register amount = of_class(Bfin::DPRegClass);
