@@ -11,8 +11,8 @@ bool lowerNamedInstruction(StringRef name, TargetLowering::CallLoweringInfo& cal
                            SmallVectorImpl<SDValue>& values, SDValue& chain);
 /// A BfinISD::COMPUTE joined with another one that has the same operands; none: nothing to join.
 SDValue combineComputation(SDNode* node, TargetLowering::DAGCombinerInfo& info);
-/// A saturating sum or difference of shorts, which comes as one of words, shifted up before and down
-/// behind it; none: `node` is no such shift.
+/// A saturating sum or difference of shorts, which comes as one of words, shifted up before and
+/// down behind it; none: `node` is no such shift.
 SDValue combineSaturatedHalves(SDNode* node, SelectionDAG& dag);
 /// The machine instruction of a BfinISD::COMPUTE.
 SDNode* selectComputation(SDNode* node, SelectionDAG& dag);
