@@ -5,13 +5,13 @@
 
 #include <optional>
 
+#include "../target/BfinSubtarget.hpp"
 #include "PacketSlots.hpp"
 
 namespace llvm {
 namespace {
 
 constexpr unsigned kSteps = 2000;  // of the search, for each number of cycles
-constexpr int kMultiplyCycles = 3;
 constexpr int kNever = -1000000;
 
 class Search {
@@ -35,7 +35,7 @@ class Search {
   bool stages_agree(size_t i, int time) const;
   [[nodiscard]] size_t slot(int time) const { return static_cast<size_t>(time % cycles_); }
   [[nodiscard]] int length(size_t i) const {
-    return insts_[i]->getOpcode() == Bfin::MUL ? kMultiplyCycles : 1;
+    return static_cast<int>(BfinSubtarget::issueCycles(*insts_[i]));
   }
 
   const LoopDependences& loop_;

@@ -180,6 +180,7 @@ foreach side = ["ASL", "ASR"] in {
 // BfinInstrInfo::expandPostRAPseudo writes them out.
 class Sequence<dag outs, dag ins, int parts> : Pseudo<outs, ins> {
   let Size = !mul(4, parts);
+  let IssueSlot = DspSlot;
   let Defs = [A0, A1];
 }
 foreach wide = ["", "W"] in {

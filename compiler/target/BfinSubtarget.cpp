@@ -29,6 +29,16 @@ bool in_class(const MachineOperand& operand, const TargetRegisterClass& rc,
 
 }  // namespace
 
+unsigned BfinSubtarget::issueCycles(const MachineInstr& inst) {
+  constexpr unsigned kWordProduct = 3;
+  constexpr unsigned kPartSize = 4;
+  if (inst.getOpcode() == Bfin::MUL)
+    return kWordProduct;
+  // A sequence is one part after the other.
+  const bool parts = inst.isPseudo() && BfinII::getSlot(inst.getDesc()) == BfinII::kDspSlot;
+  return parts ? inst.getDesc().getSize() / kPartSize : 1;
+}
+
 unsigned BfinSubtarget::latency(const MachineInstr& def, unsigned def_operand,
                                 const MachineInstr& use) {
   const MachineRegisterInfo& regs = def.getMF()->getRegInfo();
@@ -38,7 +48,9 @@ unsigned BfinSubtarget::latency(const MachineInstr& def, unsigned def_operand,
   if (pointer && (def.isCopy() || def.getOpcode() == Bfin::MOV) &&
       in_class(def.getOperand(1), Bfin::DRegClass, regs))
     return kDataToPointerLatency;
-  return BfinII::readsEarly(use.getDesc()) && !def.mayLoad() ? kEarlyReadLatency : 1;
+  const unsigned result =
+      BfinII::readsEarly(use.getDesc()) && !def.mayLoad() ? kEarlyReadLatency : 1;
+  return issueCycles(def) - 1 + result;
 }
 
 void BfinSubtarget::adjustSchedDependency(SUnit* producer, int def_operand, SUnit* consumer,

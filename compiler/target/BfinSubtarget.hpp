@@ -26,6 +26,9 @@ class BfinSubtarget : public BfinGenSubtargetInfo {
   const BfinTargetLowering* getTargetLowering() const override { return &lowering_; }
   const SelectionDAGTargetInfo* getSelectionDAGInfo() const override { return &dag_info_; }
 
+  /// Cycles in which nothing else with a 32-bit operation issues.
+  static unsigned issueCycles(const MachineInstr& inst);
+
   /// Cycles from `def`, whose operand `def_operand` is the result, until `use` can issue.
   static unsigned latency(const MachineInstr& def, unsigned def_operand, const MachineInstr& use);
 
