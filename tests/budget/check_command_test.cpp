@@ -28,7 +28,7 @@ constexpr const char* kBudgets =
     "power_watts = \"<= 2.3\"\n"
     "level.l3.bytes = \"<= baseline + 1 %\"\n"
     "[limits.function.core_b]\n"
-    "\"*_row.exclusive_cycles\" = \"<= baseline\"\n";
+    "\"*_row.exclusive_cycles\" = \"<= baseline + 0.1 %\"\n";  // a fetch here or there
 
 class CheckCommand : public ProgramTest {
  protected:
@@ -101,7 +101,8 @@ TEST_F(CheckCommand, NamesTheLoopThatGotSlowerUntilThatIsTheBaseline) {
   EXPECT_EQ(updated.exit_code, 0) << updated.err;
   EXPECT_THAT(updated.out, ContainsRegex("cycles +[0-9,]+ -> [0-9,]+ cycles \\(\\+"));
   EXPECT_EQ(check({"--firmware", "changed"}).exit_code, 0);
-  EXPECT_EQ(check({}).exit_code, 0) << "what got faster breaks no limit";
+  const Finished faster = check({});
+  EXPECT_EQ(faster.exit_code, 0) << "what got faster breaks no limit\n" << faster.out;
 }
 
 // The firmware where it was built, and a copy of it elsewhere.
