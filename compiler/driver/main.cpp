@@ -75,7 +75,11 @@ int compile_file(const std::string& input, const std::string& output, const Opti
     fmt::print(stderr, "{}\n", problem);
   if (!problems.empty())
     return kBadInput;
-  write_file(output, generate(*module, options));
+  const std::string text = generate(*module, options);
+  if (output == "-")
+    fmt::print("{}", text);
+  else
+    write_file(output, text);
   return 0;
 }
 
@@ -114,8 +118,9 @@ int main(int argc, char** argv) {
   std::vector<std::string> includes, defines, undefines, warnings, features;
   bool unused = false;
   app.add_option("files", options.inputs, "C source files")->required();
-  app.add_option("-o", options.output,
-                 "The BIR file to write (one input only; else NAME.bir each)");
+  app.add_option(
+      "-o", options.output,
+      "The BIR file to write, - for standard output (one input only; else NAME.bir each)");
   app.add_option("-O", level, "Optimisation: 0, 1, 2, 3 or s")
       ->check(CLI::IsMember({"0", "1", "2", "3", "s"}))
       ->capture_default_str();

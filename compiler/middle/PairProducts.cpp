@@ -6,6 +6,8 @@
 #include <llvm/Transforms/Utils/LoopUtils.h>
 #include <llvm/Transforms/Utils/ScalarEvolutionExpander.h>
 
+#include "NamedCall.hpp"
+
 namespace finback::compiler {
 namespace {
 
@@ -110,9 +112,8 @@ class Writer {
     return builder_.CreatePtrAdd(address, bytes);
   }
   Value* expand(const SCEV* value);
-  Value* call(StringRef name, Value* a, Value* b);
   void add_product(Value*& sum, Value* a, Value* b) {
-    sum = call("__builtin_bfin_sum", sum, builder_.CreateMul(a, b, "", false, true));
+    sum = call_named(builder_, "sum", {sum, builder_.CreateMul(a, b, "", false, true)});
   }
   [[nodiscard]] uint32_t most_rounds() const;
 
@@ -159,18 +160,6 @@ Value* Writer::load(Type* type, Value* address, const Factor& like, Align align)
   return load;
 }
 
-/// Of the back end's own (BfinNamedInstructions.cpp).
-Value* Writer::call(StringRef name, Value* a, Value* b) {
-  AttributeList attributes;
-  for (const Attribute::AttrKind kind : {Attribute::NoUnwind, Attribute::WillReturn})
-    attributes = attributes.addFnAttribute(context_, kind);
-  attributes = attributes.addFnAttribute(
-      context_, Attribute::getWithMemoryEffects(context_, MemoryEffects::none()));
-  FunctionCallee callee =
-      function_.getParent()->getOrInsertFunction(name, attributes, word_, word_, word_);
-  return builder_.CreateCall(callee, {a, b});
-}
-
 Writer::State Writer::first_state() {
   State state;
   state.shared = expand(plan_.shared.start);
@@ -211,11 +200,11 @@ void Writer::write_columns(State& state) {
 void Writer::write_sliding(State& state) {
   Value* factors = load_word(state.shared, plan_.shared);
   Value* next = load_half(step(state.own, plan_.own, 1), plan_.own);
-  state.window = call("__builtin_bfin_set_high", state.window, next);
+  state.window = call_named(builder_, "set_high", {state.window, next});
   add_product(state.sums[0], low(state.window), low(factors));
   add_product(state.sums[1], high(state.window), low(factors));
   next = load_half(step(state.own, plan_.own, 2), plan_.own);
-  state.window = call("__builtin_bfin_set_low", state.window, next);
+  state.window = call_named(builder_, "set_low", {state.window, next});
   add_product(state.sums[0], high(state.window), high(factors));
   add_product(state.sums[1], low(state.window), high(factors));
 }

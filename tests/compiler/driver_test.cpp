@@ -36,6 +36,14 @@ TEST_F(Driver, UnwritableOutputExitsWithTwo) {
   EXPECT_NE(finished.err.find("no/such/folder/a.bir"), std::string::npos) << finished.err;
 }
 
+TEST_F(Driver, MinusIsStandardOutput) {
+  write("a.c", kSmall);
+  const Finished finished = cc({"-o", "-", "a.c"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_NE(finished.out.find("_twice:"), std::string::npos) << finished.out;
+  EXPECT_EQ(read("-"), "");
+}
+
 TEST_F(Driver, SeveralInputsGiveAFileEach) {
   write("a.c", kSmall);
   write("b.c", "int y;\n");
