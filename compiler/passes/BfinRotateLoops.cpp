@@ -23,6 +23,7 @@
 #include "../target/BfinInstrInfo.hpp"
 #include "../target/BfinMachineFunctionInfo.hpp"
 #include "../target/BfinSubtarget.hpp"
+#include "LoopPhis.hpp"
 #include "ModuloSchedule.hpp"
 
 namespace llvm {
@@ -98,7 +99,7 @@ Register value_of(const Registers& values, Register reg) {
 }
 
 Register BfinRotateLoops::incoming(const MachineInstr& phi, const MachineBasicBlock& from) const {
-  return phi.getOperand(phi.getOperand(2).getMBB() == &from ? 1 : 3).getReg();
+  return phi.getOperand(incoming_operand(phi, from)).getReg();
 }
 
 bool BfinRotateLoops::find(MachineBasicBlock& block, Loop& loop) const {

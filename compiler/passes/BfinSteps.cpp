@@ -15,6 +15,7 @@
 #include "../target/Bfin.hpp"
 #include "../target/BfinInstrInfo.hpp"
 #include "../target/BfinSubtarget.hpp"
+#include "LoopPhis.hpp"
 
 namespace llvm {
 namespace {
@@ -82,15 +83,11 @@ class BfinSteps : public MachineFunctionPass {
 
 char BfinSteps::ID = 0;
 
-unsigned operand_from(const MachineInstr& phi, const MachineBasicBlock& block) {
-  return phi.getOperand(2).getMBB() == &block ? 1 : 3;
-}
-
 bool BfinSteps::find(MachineInstr& phi, Pointer& pointer) const {
   const MachineBasicBlock& block = *phi.getParent();
   const Register value = phi.getOperand(0).getReg();
   pointer.phi = &phi;
-  pointer.step = regs_->getVRegDef(phi.getOperand(operand_from(phi, block)).getReg());
+  pointer.step = regs_->getVRegDef(phi.getOperand(incoming_operand(phi, block)).getReg());
   if (pointer.step->getParent() != &block || pointer.step->getOpcode() != Bfin::ADDI ||
       pointer.step->getOperand(1).getReg() != value || pointer.step->getOperand(2).getImm() <= 0)
     return false;
@@ -180,7 +177,7 @@ bool BfinSteps::put_in_order(const Run& run) const {
 MachineInstr& BfinSteps::another_pointer(const Pointer& pointer, MachineBasicBlock& before,
                                          int64_t distance) {
   MachineBasicBlock& block = *pointer.phi->getParent();
-  Register start = pointer.phi->getOperand(operand_from(*pointer.phi, before)).getReg();
+  Register start = pointer.phi->getOperand(incoming_operand(*pointer.phi, before)).getReg();
   const MachineInstr* from = start.isVirtual() ? regs_->getVRegDef(start) : nullptr;
   if (from != nullptr && from->getOpcode() == Bfin::ADDI) {
     start = from->getOperand(1).getReg();
@@ -259,7 +256,7 @@ void BfinSteps::rewrite(const Pointer& pointer, MachineBasicBlock& before) {
     if (&run == own)
       continue;
     const MachineInstr& phi = another_pointer(pointer, before, displacement(*run.front()));
-    step(run, phi.getOperand(0).getReg(), phi.getOperand(operand_from(phi, block)).getReg());
+    step(run, phi.getOperand(0).getReg(), phi.getOperand(incoming_operand(phi, block)).getReg());
   }
   const Register next = pointer.step->getOperand(0).getReg();
   pointer.step->eraseFromParent();

@@ -13,6 +13,7 @@
 #include "../target/Bfin.hpp"
 #include "../target/BfinInstrInfo.hpp"
 #include "../target/BfinSubtarget.hpp"
+#include "LoopPhis.hpp"
 
 namespace llvm {
 namespace {
@@ -81,9 +82,7 @@ class BfinStrides : public MachineFunctionPass {
 
 char BfinStrides::ID = 0;
 
-unsigned own_operand(const MachineInstr& phi) {
-  return phi.getOperand(2).getMBB() == phi.getParent() ? 1 : 3;
-}
+unsigned own_operand(const MachineInstr& phi) { return incoming_operand(phi, *phi.getParent()); }
 
 MachineBasicBlock& entry_of(const MachineInstr& phi) {
   return *phi.getOperand(5 - own_operand(phi)).getMBB();

@@ -5,6 +5,7 @@
 
 #include "../target/BfinMachineFunctionInfo.hpp"
 #include "../target/BfinSubtarget.hpp"
+#include "LoopPhis.hpp"
 
 namespace llvm {
 
@@ -145,10 +146,6 @@ bool find_accesses(IndexStream& stream, const MachineRegisterInfo& regs) {
   return !stream.accesses.empty();
 }
 
-unsigned incoming_from(const MachineInstr& phi, const MachineBasicBlock& block) {
-  return phi.getOperand(2).getMBB() == &block ? 1 : 3;
-}
-
 /// The old value of a load into a low half: nothing, or a register with zero above that goes from
 /// pass to pass.
 MachineOperand old_value(MachineInstr& load, bool zero, MachineBasicBlock& before,
@@ -189,7 +186,7 @@ void use_index_register(const IndexStream& stream, MachineBasicBlock& before,
                         const BfinInstrInfo& tii) {
   MachineFunction& function = *before.getParent();
   MachineRegisterInfo& regs = function.getRegInfo();
-  MachineOperand& start = stream.phi->getOperand(incoming_from(*stream.phi, before));
+  MachineOperand& start = stream.phi->getOperand(incoming_operand(*stream.phi, before));
   const Register index = regs.createVirtualRegister(&Bfin::IRRegClass);
   BuildMI(before, before.getFirstTerminator(), stream.phi->getDebugLoc(),
           tii.get(TargetOpcode::COPY), index)
