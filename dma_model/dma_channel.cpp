@@ -1,3 +1,4 @@
+#include <array>
 #include <fmt/format.h>
 
 #include <common/error.hpp>
@@ -10,11 +11,6 @@ namespace {
 constexpr std::uint32_t kMaximumCount = 65536;
 constexpr std::uint32_t kPeripheralMapMemoryDma = 0x40;  // CTYPE: a memory DMA channel
 
-bool is_wide(std::uint32_t offset) {
-  return offset == kNextDescriptorPointer || offset == kStartAddress ||
-         offset == kCurrentDescriptorPointer || offset == kCurrentAddress;
-}
-
 std::uint32_t merge_half(std::uint32_t old, std::uint32_t offset, std::uint32_t value) {
   return offset % 4 == 0 ? (old & 0xFFFF0000U) | (value & 0xFFFFU) : (old & 0xFFFFU) | value << 16U;
 }
@@ -23,37 +19,23 @@ std::int32_t sign_extended(std::uint32_t modify) { return static_cast<std::int16
 
 }  // namespace
 
-std::string channel_register_name(std::uint32_t offset) {
-  switch (offset) {
-    case kNextDescriptorPointer:
-      return "NEXT_DESC_PTR";
-    case kStartAddress:
-      return "START_ADDR";
-    case kConfig:
-      return "CONFIG";
-    case kXCount:
-      return "X_COUNT";
-    case kXModify:
-      return "X_MODIFY";
-    case kYCount:
-      return "Y_COUNT";
-    case kYModify:
-      return "Y_MODIFY";
-    case kCurrentDescriptorPointer:
-      return "CURR_DESC_PTR";
-    case kCurrentAddress:
-      return "CURR_ADDR";
-    case kIrqStatus:
-      return "IRQ_STATUS";
-    case kPeripheralMap:
-      return "PERIPHERAL_MAP";
-    case kCurrentXCount:
-      return "CURR_X_COUNT";
-    case kCurrentYCount:
-      return "CURR_Y_COUNT";
-    default:
-      return "";
-  }
+const DeviceRegister* find_channel_register(std::uint32_t offset) {
+  using enum RegisterWidth;
+  static constexpr std::array<DeviceRegister, 13> kRegisters = {
+      {{kNextDescriptorPointer, "NEXT_DESC_PTR", word_or_halves},
+       {kStartAddress, "START_ADDR", word_or_halves},
+       {kConfig, "CONFIG", half},
+       {kXCount, "X_COUNT", half},
+       {kXModify, "X_MODIFY", half},
+       {kYCount, "Y_COUNT", half},
+       {kYModify, "Y_MODIFY", half},
+       {kCurrentDescriptorPointer, "CURR_DESC_PTR", word_or_halves},
+       {kCurrentAddress, "CURR_ADDR", word_or_halves},
+       {kIrqStatus, "IRQ_STATUS", half},
+       {kPeripheralMap, "PERIPHERAL_MAP", half},
+       {kCurrentXCount, "CURR_X_COUNT", half},
+       {kCurrentYCount, "CURR_Y_COUNT", half}}};
+  return find_register(kRegisters, offset);
 }
 
 DmaChannel::DmaChannel(std::string name, bool writes_memory)
@@ -92,18 +74,14 @@ std::uint32_t DmaChannel::word(std::uint32_t offset) const {
 }
 
 std::uint32_t DmaChannel::read(std::uint32_t offset, int bytes) const {
-  const std::uint32_t base = offset & ~3U;
-  if (bytes == 2 && is_wide(base)) {
-    return word(base) >> (offset % 4 * 8) & 0xFFFFU;
-  }
-  return word(offset);
+  const std::uint32_t value = word(offset & ~3U) >> (offset % 4 * 8);
+  return bytes == 2 ? value & 0xFFFFU : value;
 }
 
 bool DmaChannel::write(std::uint32_t offset, int bytes, std::uint32_t value) {
-  const std::uint32_t base = offset & ~3U;
-  if (bytes == 2 && is_wide(base)) {
-    value = merge_half(word(base), offset, value);
-    offset = base;
+  if (bytes == 2 && find_channel_register(offset & ~3U)->width == RegisterWidth::word_or_halves) {
+    value = merge_half(word(offset & ~3U), offset, value);
+    offset &= ~3U;
   }
   const std::uint32_t half = value & 0xFFFFU;
   switch (offset) {
@@ -134,15 +112,12 @@ bool DmaChannel::write(std::uint32_t offset, int bytes, std::uint32_t value) {
     default:
       break;
   }
-  fault(offset, value,
-        channel_register_name(offset).empty() ? "there is no such register" : "it is read-only");
+  fault(offset, value, "it is read-only");
 }
 
 void DmaChannel::fault(std::uint32_t offset, std::uint32_t value, const std::string& why) const {
-  const std::string register_name = channel_register_name(offset);
-  throw GuestFault(fmt::format(
-      "DMA: {}_{} = {:#x}: {}", name_,
-      register_name.empty() ? fmt::format("(+{:#x})", offset) : register_name, value, why));
+  throw GuestFault(fmt::format("DMA: {}_{} = {:#x}: {}", name_, find_channel_register(offset)->name,
+                               value, why));
 }
 
 TransferShape DmaChannel::shape_from_registers() const {

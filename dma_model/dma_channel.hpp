@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <string>
 
+#include <common/device.hpp>
 #include <common/units.hpp>
 #include <dma_model/address_generator.hpp>
 
@@ -31,8 +32,8 @@ enum ChannelRegister : std::uint32_t {
   kCurrentYCount = 0x38,
 };
 
-// "CONFIG" for kConfig; "" for an offset that is no register.
-[[nodiscard]] std::string channel_register_name(std::uint32_t offset);
+// The register at `offset` in a channel's block; nullptr when there is none.
+[[nodiscard]] const DeviceRegister* find_channel_register(std::uint32_t offset);
 
 enum ConfigBit : std::uint32_t {
   kEnable = 1U << 0,
@@ -54,8 +55,8 @@ class DmaChannel {
   // `name` as registers are called: "MDMA1_D0".
   DmaChannel(std::string name, bool writes_memory);
 
-  // 16 or 32 bits; throw GuestFault for an offset that is no register or another size. A 32-bit
-  // register may be accessed by halves. Write returns true when CONFIG was written.
+  // Accesses that fit the register's width. Write returns true when CONFIG was written; throws
+  // GuestFault where the register is read-only.
   [[nodiscard]] std::uint32_t read(std::uint32_t offset, int bytes) const;
   bool write(std::uint32_t offset, int bytes, std::uint32_t value);
 

@@ -7,7 +7,6 @@ namespace finback::dma {
 
 namespace {
 
-constexpr std::uint32_t kChannelBytes = 0x40;
 // Anomaly 05000182: IMDMA corrupts data above this core clock, on all silicon.
 constexpr double kImdmaMaximumMhz = 500;
 
@@ -23,6 +22,21 @@ const char* name_of(Controller controller) {
 
 }  // namespace
 
+const DeviceRegister* MemoryDmaRegisters::find_register(std::uint32_t offset) const {
+  return find_channel_register(offset % kChannelBytes);
+}
+
+std::string MemoryDmaRegisters::register_name(std::uint32_t offset) const {
+  const DeviceRegister* found = find_register(offset);
+  return found == nullptr ? ""
+                          : fmt::format("{}{}_{}", offset / kChannelBytes % 2 == 0 ? 'D' : 'S',
+                                        offset / (2 * kChannelBytes), found->name);
+}
+
+std::uint32_t MemoryDmaRegisters::read(std::uint32_t offset, int bytes, Cycles /*now*/) {
+  return channel(offset).read(offset % kChannelBytes, bytes);
+}
+
 MemoryDma::MemoryDma(Controller controller, const DmaParameters& parameters, Cycles ratio,
                      memory::MemorySystem& memory, InterruptLine interrupt)
     : streams_{MemoryDmaStream(name_of(controller), 0, initiator_of(controller, 0), parameters,
@@ -36,25 +50,27 @@ const DmaChannel& MemoryDma::channel(std::uint32_t offset) const {
   return offset / kChannelBytes % 2 == 0 ? stream.destination() : stream.source();
 }
 
-std::uint32_t MemoryDma::read(std::uint32_t offset, int bytes) const {
-  return channel(offset).read(offset % kChannelBytes, bytes);
-}
-
 void MemoryDma::write(std::uint32_t offset, int bytes, std::uint32_t value, Cycles now) {
   const std::size_t stream = offset / (2 * kChannelBytes);
   streams_.at(stream).write(offset / kChannelBytes % 2 == 0, offset % kChannelBytes, bytes, value,
                             now);
   update_line(stream, now);
+  plan_next_event();
+}
+
+void MemoryDma::plan_next_event() {
+  next_event_ = std::min(streams_[0].next_event_time(), streams_[1].next_event_time());
 }
 
 void MemoryDma::advance(Cycles now) {
-  while (next_event_time() <= now) {
+  while (next_event_ <= now) {
     // One event at a time, so that the two streams meet the memories in the order of time.
     const std::size_t first =
         streams_[0].next_event_time() <= streams_[1].next_event_time() ? 0 : 1;
     const Cycles at = streams_[first].next_event_time();
     streams_[first].advance(at);
     update_line(first, at);
+    plan_next_event();
   }
 }
 
@@ -71,11 +87,8 @@ InternalMemoryDma::InternalMemoryDma(double cclk_mhz)
       channels_{DmaChannel("IMDMA_D0", true), DmaChannel("IMDMA_S0", false),
                 DmaChannel("IMDMA_D1", true), DmaChannel("IMDMA_S1", false)} {}
 
-std::uint32_t InternalMemoryDma::read(std::uint32_t offset, int bytes) const {
-  return channels_.at(offset / kChannelBytes).read(offset % kChannelBytes, bytes);
-}
-
-void InternalMemoryDma::write(std::uint32_t offset, int bytes, std::uint32_t value) {
+void InternalMemoryDma::write(std::uint32_t offset, int bytes, std::uint32_t value,
+                              Cycles /*now*/) {
   DmaChannel& channel = channels_.at(offset / kChannelBytes);
   channel.write(offset % kChannelBytes, bytes, value);
   if (!channel.enabled()) {

@@ -10,36 +10,43 @@
 #include <cstdint>
 #include <functional>
 
+#include <common/device.hpp>
 #include <common/units.hpp>
 #include <dma_model/memory_dma_stream.hpp>
 
 namespace finback::dma {
+
+inline constexpr std::uint32_t kChannelBytes = 0x40;
 
 enum class Controller : std::uint8_t { mdma1, mdma2 };
 
 // Told about every change of a stream's interrupt line: stream 0 or 1.
 using InterruptLine = std::function<void(int stream, bool level, Cycles at)>;
 
-class MemoryDma {
+// What both kinds have alike: four channels, D0, S0, D1, S1.
+class MemoryDmaRegisters : public Device {
  public:
   static constexpr std::uint32_t kRegisterBytes = 0x100;
 
+  [[nodiscard]] const DeviceRegister* find_register(std::uint32_t offset) const override;
+  [[nodiscard]] std::string register_name(std::uint32_t offset) const override;
+  [[nodiscard]] std::uint32_t read(std::uint32_t offset, int bytes, Cycles now) override;
+
+ protected:
+  [[nodiscard]] virtual const DmaChannel& channel(std::uint32_t offset) const = 0;
+};
+
+class MemoryDma final : public MemoryDmaRegisters {
+ public:
   MemoryDma(Controller controller, const DmaParameters& parameters, Cycles ratio,
             memory::MemorySystem& memory, InterruptLine interrupt);
 
-  // Registers: `offset` below kRegisterBytes, 2 or 4 bytes. Throw GuestFault as DmaChannel does.
-  // The controller must have been advanced to `now`.
-  [[nodiscard]] std::uint32_t read(std::uint32_t offset, int bytes) const;
-  void write(std::uint32_t offset, int bytes, std::uint32_t value, Cycles now);
-
-  // An actor: acts by itself at next_event_time(), when advanced.
-  [[nodiscard]] Cycles next_event_time() const {
-    return std::min(streams_[0].next_event_time(), streams_[1].next_event_time());
-  }
-  void advance(Cycles now);
+  void write(std::uint32_t offset, int bytes, std::uint32_t value, Cycles now) override;
+  void advance(Cycles now) override;
 
  private:
-  [[nodiscard]] const DmaChannel& channel(std::uint32_t offset) const;
+  [[nodiscard]] const DmaChannel& channel(std::uint32_t offset) const override;
+  void plan_next_event();
   void update_line(std::size_t stream, Cycles now);
 
   std::array<MemoryDmaStream, 2> streams_;
@@ -47,14 +54,17 @@ class MemoryDma {
   InterruptLine interrupt_;
 };
 
-class InternalMemoryDma {
+class InternalMemoryDma final : public MemoryDmaRegisters {
  public:
   explicit InternalMemoryDma(double cclk_mhz);
 
-  [[nodiscard]] std::uint32_t read(std::uint32_t offset, int bytes) const;
-  void write(std::uint32_t offset, int bytes, std::uint32_t value);
+  void write(std::uint32_t offset, int bytes, std::uint32_t value, Cycles now) override;
 
  private:
+  [[nodiscard]] const DmaChannel& channel(std::uint32_t offset) const override {
+    return channels_.at(offset / kChannelBytes);
+  }
+
   double cclk_mhz_;
   std::array<DmaChannel, 4> channels_;
 };

@@ -8,81 +8,21 @@ namespace finback::machine {
 
 namespace {
 
-enum class Device : std::uint8_t { sica, sicb, mdma1, mdma2, imdma, host };
-
-struct DeviceRange {
-  Device device;
-  Address base;
-  std::uint32_t size;
-  const char* name;
-};
-
-constexpr std::array<DeviceRange, 6> kRanges = {
-    {{Device::sica, 0xFFC00100, SystemInterrupts::kRegisterBytes, "SICA_"},
-     {Device::mdma2, 0xFFC00F00, dma::MemoryDma::kRegisterBytes, "MDMA2_"},
-     {Device::sicb, 0xFFC01100, SystemInterrupts::kRegisterBytes, "SICB_"},
-     {Device::imdma, 0xFFC01800, dma::MemoryDma::kRegisterBytes, "IMDMA_"},
-     {Device::mdma1, 0xFFC01F00, dma::MemoryDma::kRegisterBytes, "MDMA1_"},
-     {Device::host, 0xFFC0F000, HostPort::kRegisterBytes, "HOST_"}}};
-
-const DeviceRange* find_range(Address address) {
-  const auto found = std::find_if(
-      kRanges.begin(), kRanges.end(),
-      [address](const DeviceRange& range) { return address - range.base < range.size; });
-  return found == kRanges.end() ? nullptr : &*found;
+std::string name_in(const Device& device, const char* prefix, std::uint32_t offset) {
+  const std::string name = device.register_name(offset);
+  return name.empty() ? "" : prefix + name;
 }
 
-std::string name_in(const DeviceRange& range, std::uint32_t offset) {
-  std::string name;
-  switch (range.device) {
-    case Device::sica:
-    case Device::sicb:
-      name = interrupt_register_name(offset);
-      break;
-    case Device::host:
-      name = host_register_name(offset);
-      break;
-    case Device::mdma1:
-    case Device::mdma2:
-    case Device::imdma: {
-      name = dma::channel_register_name(offset % 0x40);
-      if (!name.empty()) {
-        name = fmt::format("{}{}_{}", offset / 0x40 % 2 == 0 ? 'D' : 'S', offset / 0x80, name);
-      }
-      break;
-    }
+// Does an access of `bytes` at `address` fit a register of that width?
+bool fits(RegisterWidth width, Address address, int bytes) {
+  if (bytes == 4) {
+    return address % 4 == 0;
   }
-  return name.empty() ? "" : range.name + name;
-}
-
-// The known register nearest to `address`, with its address: " (the nearest is X at 0x...)".
-std::string nearest_register(Address address) {
-  std::string best;
-  Address best_distance = 0x40;  // further away is no help
-  for (const DeviceRange& range : kRanges) {
-    for (std::uint32_t offset = 0; offset < range.size; offset += 4) {
-      const Address at = range.base + offset;
-      const Address distance = at > address ? at - address : address - at;
-      if (distance < best_distance && !name_in(range, offset).empty()) {
-        best_distance = distance;
-        best = fmt::format(" (the nearest is {} at {:#010x})", name_in(range, offset), at);
-      }
-    }
-  }
-  return best;
-}
-
-[[noreturn]] void no_register(Address address) {
-  throw GuestFault(fmt::format("{:#010x}: no device register is modelled there{}", address,
-                               nearest_register(address)));
+  return bytes == 2 && ((width == RegisterWidth::half && address % 4 == 0) ||
+                        (width == RegisterWidth::word_or_halves && address % 2 == 0));
 }
 
 }  // namespace
-
-std::string register_name(Address address) {
-  const DeviceRange* range = find_range(address);
-  return range == nullptr ? "" : name_in(*range, address - range->base);
-}
 
 DeviceBus::DeviceBus(const MachineDescription& description, memory::MemorySystem& memory,
                      SystemInterrupts::Outputs interrupt_outputs)
@@ -99,83 +39,76 @@ DeviceBus::DeviceBus(const MachineDescription& description, memory::MemorySystem
              [this](int stream, bool level, Cycles at) {
                interrupts_.set_line(kMdma2Stream0 + stream, level, at);
              }),
-      imdma_(description.clock.cclk_mhz) {}
+      imdma_(description.clock.cclk_mhz),
+      mappings_{{0xFFC00100, InterruptRegisters::kBytes, "SICA_", &sica_},
+                {0xFFC01100, InterruptRegisters::kBytes, "SICB_", &sicb_},
+                {0xFFC01F00, dma::MemoryDma::kRegisterBytes, "MDMA1_", &mdma1_},
+                {0xFFC00F00, dma::MemoryDma::kRegisterBytes, "MDMA2_", &mdma2_},
+                {0xFFC01800, dma::MemoryDma::kRegisterBytes, "IMDMA_", &imdma_},
+                {0xFFC0F000, HostPort::kRegisterBytes, "HOST_", &host_}} {}
+
+const DeviceBus::Mapping* DeviceBus::find_mapping(Address address) const {
+  const auto found = std::ranges::find_if(mappings_, [address](const Mapping& mapping) {
+    return address - mapping.base < mapping.size;
+  });
+  return found == mappings_.end() ? nullptr : &*found;
+}
+
+std::string DeviceBus::register_name(Address address) const {
+  const Mapping* mapping = find_mapping(address);
+  return mapping == nullptr ? ""
+                            : name_in(*mapping->device, mapping->prefix, address - mapping->base);
+}
+
+// The known register nearest to `address`, with its address: " (the nearest is X at 0x...)".
+std::string DeviceBus::nearest_register(Address address) const {
+  std::string best;
+  Address best_distance = 0x40;  // further away is no help
+  for (const Mapping& mapping : mappings_) {
+    for (std::uint32_t offset = 0; offset < mapping.size; offset += 4) {
+      const Address at = mapping.base + offset;
+      const Address distance = at > address ? at - address : address - at;
+      if (distance < best_distance && mapping.device->find_register(offset) != nullptr) {
+        best_distance = distance;
+        best = fmt::format(" (the nearest is {} at {:#010x})", register_name(at), at);
+      }
+    }
+  }
+  return best;
+}
 
 // Checks that there is a register at `address` and that it takes an access of that size.
-void DeviceBus::check(Address address, int bytes, bool write) {
-  const std::string name = register_name(address & ~3U);
-  if (name.empty()) {
-    no_register(address);
+const DeviceBus::Mapping& DeviceBus::check(Address address, int bytes, bool write) const {
+  const Mapping* mapping = find_mapping(address);
+  const DeviceRegister* found =
+      mapping == nullptr ? nullptr
+                         : mapping->device->find_register((address & ~3U) - mapping->base);
+  if (found == nullptr) {
+    throw GuestFault(fmt::format("{:#010x}: no device register is modelled there{}", address,
+                                 nearest_register(address)));
   }
-  // 32-bit DMA registers may be accessed by halves, and SYSCR is a 16-bit register.
-  const bool dma = name.find("DMA") != std::string::npos;
-  const bool half = dma || name.ends_with("_SYSCR");
-  const bool fits =
-      bytes == 4 ? address % 4 == 0 : bytes == 2 && half && address % (dma ? 2 : 4) == 0;
-  if (!fits) {
+  if (!fits(found->width, address, bytes)) {
     throw GuestFault(fmt::format("{} of {} byte{} at {:#010x}: {} at {:#010x} takes {}",
                                  write ? "store" : "load", bytes, bytes == 1 ? "" : "s", address,
-                                 name, address & ~3U, half ? "2 or 4 bytes" : "4 bytes"));
+                                 register_name(address & ~3U), address & ~3U,
+                                 found->width == RegisterWidth::word ? "4 bytes" : "2 or 4 bytes"));
   }
+  return *mapping;
 }
 
 DeviceRead DeviceBus::read(int core, Address address, int bytes, Cycles now) {
-  check(address, bytes, false);
-  const DeviceRange& range = *find_range(address);
-  const std::uint32_t offset = address - range.base;
-  Cycles& free_at = bus_free_at_[static_cast<std::size_t>(core)];
-  DeviceRead result;
-  result.stall = std::max(now, free_at) + read_cycles_ - now;
-  switch (range.device) {
-    case Device::sica:
-      result.value = interrupts_.read(0, offset);
-      break;
-    case Device::sicb:
-      result.value = interrupts_.read(1, offset);
-      break;
-    case Device::mdma1:
-      result.value = mdma1_.read(offset, bytes);
-      break;
-    case Device::mdma2:
-      result.value = mdma2_.read(offset, bytes);
-      break;
-    case Device::imdma:
-      result.value = imdma_.read(offset, bytes);
-      break;
-    case Device::host:
-      result.value = host_.read(offset);
-      break;
-  }
-  return result;
+  const Mapping& mapping = check(address, bytes, false);
+  const Cycles free_at = bus_free_at_[static_cast<std::size_t>(core)];
+  return {.value = mapping.device->read(address - mapping.base, bytes, now),
+          .stall = std::max(now, free_at) + read_cycles_ - now};
 }
 
 Cycles DeviceBus::write(int core, Address address, int bytes, std::uint32_t value, Cycles now) {
-  check(address, bytes, true);
-  const DeviceRange& range = *find_range(address);
-  const std::uint32_t offset = address - range.base;
+  const Mapping& mapping = check(address, bytes, true);
   Cycles& free_at = bus_free_at_[static_cast<std::size_t>(core)];
   const Cycles stall = std::max(now, free_at) - now;
   free_at = now + stall + write_cycles_;
-  switch (range.device) {
-    case Device::sica:
-      interrupts_.write(0, offset, value, now);
-      break;
-    case Device::sicb:
-      interrupts_.write(1, offset, value, now);
-      break;
-    case Device::mdma1:
-      mdma1_.write(offset, bytes, value, now);
-      break;
-    case Device::mdma2:
-      mdma2_.write(offset, bytes, value, now);
-      break;
-    case Device::imdma:
-      imdma_.write(offset, bytes, value);
-      break;
-    case Device::host:
-      host_.write(offset, value, now);
-      break;
-  }
+  mapping.device->write(address - mapping.base, bytes, value, now);
   plan_next_event();
   return stall;
 }
@@ -185,18 +118,20 @@ void DeviceBus::advance(Cycles now) {
     const Cycles at = next_event_;
     if (interrupts_.next_event_time() == at) {
       interrupts_.advance(at);
-    } else if (mdma1_.next_event_time() == at) {
-      mdma1_.advance(at);
     } else {
-      mdma2_.advance(at);
+      std::ranges::find_if(mappings_, [at](const Mapping& mapping) {
+        return mapping.device->next_event_time() == at;
+      })->device->advance(at);
     }
     plan_next_event();
   }
 }
 
 void DeviceBus::plan_next_event() {
-  next_event_ =
-      std::min({interrupts_.next_event_time(), mdma1_.next_event_time(), mdma2_.next_event_time()});
+  next_event_ = interrupts_.next_event_time();
+  for (const Mapping& mapping : mappings_) {
+    next_event_ = std::min(next_event_, mapping.device->next_event_time());
+  }
 }
 
 }  // namespace finback::machine

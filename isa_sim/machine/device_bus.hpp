@@ -10,7 +10,9 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
+#include <common/device.hpp>
 #include <common/units.hpp>
 #include <dma_model/memory_dma.hpp>
 #include <isa_sim/machine/host_port.hpp>
@@ -48,13 +50,26 @@ class DeviceBus {
   // One actor for all devices: DMA streams and interrupt lines on their way.
   [[nodiscard]] Cycles next_event_time() const { return next_event_; }
   // Does everything due up to and including `now`, in the order of time (on equal times interrupts
-  // first, then MDMA1, then MDMA2).
+  // first, then the devices in the order of their mappings).
   void advance(Cycles now);
+
+  // The name of the register at `address`, "" when there is none: "SICA_IMASK0", "MDMA1_D0_CONFIG".
+  [[nodiscard]] std::string register_name(Address address) const;
 
   [[nodiscard]] HostPort& host() { return host_; }
 
  private:
-  static void check(Address address, int bytes, bool write);
+  // Where a device's registers lie, and what stands before their names.
+  struct Mapping {
+    Address base = 0;
+    std::uint32_t size = 0;
+    const char* prefix = "";
+    Device* device = nullptr;
+  };
+
+  [[nodiscard]] const Mapping* find_mapping(Address address) const;
+  [[nodiscard]] std::string nearest_register(Address address) const;
+  const Mapping& check(Address address, int bytes, bool write) const;
   void plan_next_event();
 
   Cycles read_cycles_;
@@ -62,13 +77,13 @@ class DeviceBus {
   std::array<Cycles, kCoreCount> bus_free_at_{};
   Cycles next_event_ = kNever;
   SystemInterrupts interrupts_;
+  InterruptRegisters sica_{interrupts_, 0};
+  InterruptRegisters sicb_{interrupts_, 1};
   HostPort host_;
   dma::MemoryDma mdma1_;
   dma::MemoryDma mdma2_;
   dma::InternalMemoryDma imdma_;
+  std::vector<Mapping> mappings_;
 };
-
-// The name of the register at `address`, "" when there is none: "SICA_IMASK0", "MDMA1_D0_CONFIG".
-[[nodiscard]] std::string register_name(Address address);
 
 }  // namespace finback::machine

@@ -1,3 +1,4 @@
+#include <array>
 #include <cstring>
 #include <fmt/format.h>
 
@@ -12,31 +13,19 @@ constexpr std::uint32_t kFrameBytes = kFrameWidth * kFrameHeight;
 
 }  // namespace
 
-std::string host_register_name(std::uint32_t offset) {
-  switch (offset) {
-    case kFramesLeft:
-      return "FRAMES_LEFT";
-    case kFrameLeftAddress:
-      return "FRAME_LEFT_ADDRESS";
-    case kFrameRightAddress:
-      return "FRAME_RIGHT_ADDRESS";
-    case kFrameGrab:
-      return "FRAME_GRAB";
-    case kMapAddress:
-      return "MAP_ADDRESS";
-    case kMapSize:
-      return "MAP_SIZE";
-    case kMapPublish:
-      return "MAP_PUBLISH";
-    case kConsole:
-      return "CONSOLE";
-    case kExit:
-      return "EXIT";
-    case kFrameNumber:
-      return "FRAME_NUMBER";
-    default:
-      return "";
-  }
+const DeviceRegister* HostPort::find_register(std::uint32_t offset) const {
+  static constexpr std::array<DeviceRegister, 10> kRegisters = {
+      {{kFramesLeft, "FRAMES_LEFT"},
+       {kFrameLeftAddress, "FRAME_LEFT_ADDRESS"},
+       {kFrameRightAddress, "FRAME_RIGHT_ADDRESS"},
+       {kFrameGrab, "FRAME_GRAB"},
+       {kMapAddress, "MAP_ADDRESS"},
+       {kMapSize, "MAP_SIZE"},
+       {kMapPublish, "MAP_PUBLISH"},
+       {kConsole, "CONSOLE"},
+       {kExit, "EXIT"},
+       {kFrameNumber, "FRAME_NUMBER"}}};
+  return finback::find_register(kRegisters, offset);
 }
 
 void HostPort::set_frames(std::vector<StereoFrame> frames, std::uint32_t count) {
@@ -54,7 +43,7 @@ void HostPort::set_frames(std::vector<StereoFrame> frames, std::uint32_t count) 
   frame_count_ = count;
 }
 
-std::uint32_t HostPort::read(std::uint32_t offset) const {
+std::uint32_t HostPort::read(std::uint32_t offset, int /*bytes*/, Cycles /*now*/) {
   switch (offset) {
     case kFramesLeft:
       return frame_count_ - frames_grabbed();
@@ -74,10 +63,10 @@ std::uint32_t HostPort::read(std::uint32_t offset) const {
     default:
       break;
   }
-  throw GuestFault(fmt::format("HOST_{} is write-only", host_register_name(offset)));
+  throw GuestFault(fmt::format("HOST_{} is write-only", register_name(offset)));
 }
 
-void HostPort::write(std::uint32_t offset, std::uint32_t value, Cycles now) {
+void HostPort::write(std::uint32_t offset, int /*bytes*/, std::uint32_t value, Cycles now) {
   switch (offset) {
     case kFrameLeftAddress:
       left_address_ = value;
@@ -109,7 +98,7 @@ void HostPort::write(std::uint32_t offset, std::uint32_t value, Cycles now) {
     default:
       break;
   }
-  throw GuestFault(fmt::format("HOST_{} is read-only", host_register_name(offset)));
+  throw GuestFault(fmt::format("HOST_{} is read-only", register_name(offset)));
 }
 
 void HostPort::grab(std::uint32_t value, Cycles now) {

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include <common/device.hpp>
 #include <common/units.hpp>
 #include <memory_model/memory_system.hpp>
 
@@ -47,16 +48,11 @@ struct PublishedMap {
   Cycles published_at = 0;
 };
 
-// "FRAME_GRAB" for kFrameGrab; "" for an offset that is no register.
-[[nodiscard]] std::string host_register_name(std::uint32_t offset);
-
-class HostPort {
+class HostPort final : public Device {
  public:
   static constexpr std::uint32_t kRegisterBytes = 0x28;
 
   explicit HostPort(memory::MemorySystem& memory) : memory_(memory) {}
-  HostPort(const HostPort&) = delete;
-  HostPort& operator=(const HostPort&) = delete;
 
   // --- the host's side ---
   // The firmware can grab `count` pairs; they are `frames` in turn, again from the first when
@@ -85,8 +81,9 @@ class HostPort {
   void flush_line();
 
   // --- the machine's side: registers, by offset (one of HostRegister) ---
-  [[nodiscard]] std::uint32_t read(std::uint32_t offset) const;
-  void write(std::uint32_t offset, std::uint32_t value, Cycles now);
+  [[nodiscard]] const DeviceRegister* find_register(std::uint32_t offset) const override;
+  [[nodiscard]] std::uint32_t read(std::uint32_t offset, int bytes, Cycles now) override;
+  void write(std::uint32_t offset, int bytes, std::uint32_t value, Cycles now) override;
 
  private:
   void grab(std::uint32_t value, Cycles now);

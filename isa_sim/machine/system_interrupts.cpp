@@ -14,7 +14,7 @@ constexpr std::uint32_t kSyscr = 0x04;
 constexpr std::uint32_t kMask0 = 0x0C, kMask1 = 0x10;
 constexpr std::uint32_t kStatus0 = 0x14, kStatus1 = 0x18;
 constexpr std::uint32_t kWakeup0 = 0x1C, kWakeup1 = 0x20;
-constexpr std::uint32_t kAssignment0 = 0x24, kAssignment7 = 0x40;
+constexpr std::uint32_t kAssignment0 = 0x24;
 
 constexpr std::uint32_t kCoreBHeld = 0x20;  // SICA_SYSCR: COREB_SRAM_INIT
 // SICB_SYSCR: raise and acknowledge bits of core A; core B's are one higher.
@@ -54,27 +54,24 @@ void set_bit(std::array<std::uint32_t, 2>& words, int source, bool level) {
 
 }  // namespace
 
-std::string interrupt_register_name(std::uint32_t offset) {
-  switch (offset) {
-    case kSyscr:
-      return "SYSCR";
-    case kMask0:
-      return "IMASK0";
-    case kMask1:
-      return "IMASK1";
-    case kStatus0:
-      return "ISR0";
-    case kStatus1:
-      return "ISR1";
-    case kWakeup0:
-      return "IWR0";
-    case kWakeup1:
-      return "IWR1";
-    default:
-      break;
-  }
-  const bool assignment = offset >= kAssignment0 && offset <= kAssignment7 && offset % 4 == 0;
-  return assignment ? fmt::format("IAR{}", (offset - kAssignment0) / 4) : "";
+const DeviceRegister* InterruptRegisters::find_register(std::uint32_t offset) const {
+  static constexpr std::array<DeviceRegister, 15> kRegisters = {
+      {{kSyscr, "SYSCR", RegisterWidth::half},
+       {kMask0, "IMASK0"},
+       {kMask1, "IMASK1"},
+       {kStatus0, "ISR0"},
+       {kStatus1, "ISR1"},
+       {kWakeup0, "IWR0"},
+       {kWakeup1, "IWR1"},
+       {kAssignment0, "IAR0"},
+       {kAssignment0 + 0x04, "IAR1"},
+       {kAssignment0 + 0x08, "IAR2"},
+       {kAssignment0 + 0x0C, "IAR3"},
+       {kAssignment0 + 0x10, "IAR4"},
+       {kAssignment0 + 0x14, "IAR5"},
+       {kAssignment0 + 0x18, "IAR6"},
+       {kAssignment0 + 0x1C, "IAR7"}}};
+  return finback::find_register(kRegisters, offset);
 }
 
 SystemInterrupts::SystemInterrupts(const DeviceParameters& parameters, Cycles ratio,

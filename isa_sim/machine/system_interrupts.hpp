@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include <common/device.hpp>
 #include <common/units.hpp>
 #include <isa_sim/machine/device_parameters.hpp>
 
@@ -27,13 +28,9 @@ enum InterruptSource : int {
   kSupplemental1 = 63,
 };
 
-// "IMASK0" for 0x0C and so on; "" for an offset that is no register of SICA or SICB.
-[[nodiscard]] std::string interrupt_register_name(std::uint32_t offset);
-
 class SystemInterrupts {
  public:
   static constexpr int kSourceCount = 64;
-  static constexpr std::uint32_t kRegisterBytes = 0x44;
 
   struct Outputs {
     // Bit n: IVGn is requested of `core`. `wake`: a source that IWR admits is active, which ends
@@ -44,8 +41,8 @@ class SystemInterrupts {
 
   SystemInterrupts(const DeviceParameters& parameters, Cycles ratio, Outputs outputs);
 
-  // Registers of SICA (`core` 0) or SICB (`core` 1), offset from 0xFFC00100 or 0xFFC01100, one that
-  // has a name. Write throws GuestFault for ISR0 and ISR1.
+  // Registers of SICA (`core` 0) or SICB (`core` 1), by offset. Write throws GuestFault for ISR0
+  // and ISR1.
   [[nodiscard]] std::uint32_t read(int core, std::uint32_t offset) const;
   void write(int core, std::uint32_t offset, std::uint32_t value, Cycles now);
 
@@ -84,6 +81,28 @@ class SystemInterrupts {
   std::uint32_t sica_syscr_ = 0x20;  // COREB_SRAM_INIT: core B held
   std::vector<Rise> rises_;          // few; in the order in which they were raised
   Cycles next_event_ = kNever;
+};
+
+// The registers of one controller, as a device.
+class InterruptRegisters final : public Device {
+ public:
+  static constexpr std::uint32_t kBytes = 0x44;
+
+  // SICA for `core` 0, SICB for 1.
+  InterruptRegisters(SystemInterrupts& interrupts, int core)
+      : interrupts_(interrupts), core_(core) {}
+
+  [[nodiscard]] const DeviceRegister* find_register(std::uint32_t offset) const override;
+  [[nodiscard]] std::uint32_t read(std::uint32_t offset, int /*bytes*/, Cycles /*now*/) override {
+    return interrupts_.read(core_, offset);
+  }
+  void write(std::uint32_t offset, int /*bytes*/, std::uint32_t value, Cycles now) override {
+    interrupts_.write(core_, offset, value, now);
+  }
+
+ private:
+  SystemInterrupts& interrupts_;
+  int core_;
 };
 
 }  // namespace finback::machine

@@ -81,8 +81,8 @@ class DmaTest : public testing::Test {
     }
     return last;
   }
-  static std::uint32_t status(const MemoryDma& dma, std::uint32_t channel) {
-    return dma.read(channel + kIrqStatus, 2);
+  static std::uint32_t status(MemoryDma& dma, std::uint32_t channel) {
+    return dma.read(channel + kIrqStatus, 2, 0);
   }
   std::vector<std::uint8_t> pattern(std::size_t size, std::uint32_t seed = 1) {
     std::vector<std::uint8_t> bytes(size);

@@ -184,12 +184,12 @@ TEST_F(MemoryDmaTest, CurrentRegistersFollowTheTransfer) {
   program(*dma1_, kS0, kL3, 100, 4);
   program(*dma1_, kD0, kL1A, 100, 4);
   enable(*dma1_, 0, kBits32, 0);
-  EXPECT_EQ(dma1_->read(kS0 + kCurrentAddress, 4), kL3);
-  EXPECT_EQ(dma1_->read(kS0 + kCurrentXCount, 2), 100U);
+  EXPECT_EQ(dma1_->read(kS0 + kCurrentAddress, 4, 0), kL3);
+  EXPECT_EQ(dma1_->read(kS0 + kCurrentXCount, 2, 0), 100U);
   dma1_->advance(60 * kSclk);  // two bursts were asked for
-  EXPECT_EQ(dma1_->read(kS0 + kCurrentAddress, 4), kL3 + 3 * 64);
-  EXPECT_EQ(dma1_->read(kD0 + kCurrentAddress, 4), kL1A + 2 * 64);
-  EXPECT_EQ(dma1_->read(kD0 + kCurrentXCount, 2), 100U - 32);
+  EXPECT_EQ(dma1_->read(kS0 + kCurrentAddress, 4, 0), kL3 + 3 * 64);
+  EXPECT_EQ(dma1_->read(kD0 + kCurrentAddress, 4, 0), kL1A + 2 * 64);
+  EXPECT_EQ(dma1_->read(kD0 + kCurrentXCount, 2, 0), 100U - 32);
 }
 
 }  // namespace

@@ -42,22 +42,22 @@ class DeviceBusTest : public testing::Test {
 };
 
 TEST_F(DeviceBusTest, RegistersHaveTheBf561sNames) {
-  EXPECT_EQ(register_name(0xFFC00104), "SICA_SYSCR");
-  EXPECT_EQ(register_name(kSicbSyscr), "SICB_SYSCR");
-  EXPECT_EQ(register_name(0xFFC0110C), "SICB_IMASK0");
-  EXPECT_EQ(register_name(0xFFC00140), "SICA_IAR7");
-  EXPECT_EQ(register_name(0xFFC01F08), "MDMA1_D0_CONFIG");
-  EXPECT_EQ(register_name(0xFFC01FE8), "MDMA1_S1_IRQ_STATUS");
-  EXPECT_EQ(register_name(0xFFC00F44), "MDMA2_S0_START_ADDR");
-  EXPECT_EQ(register_name(0xFFC018B8), "IMDMA_D1_CURR_Y_COUNT");
-  EXPECT_EQ(register_name(0xFFC0F00C), "HOST_FRAME_GRAB");
-  EXPECT_EQ(register_name(0xFFC01000), "");
+  EXPECT_EQ(bus_.register_name(0xFFC00104), "SICA_SYSCR");
+  EXPECT_EQ(bus_.register_name(kSicbSyscr), "SICB_SYSCR");
+  EXPECT_EQ(bus_.register_name(0xFFC0110C), "SICB_IMASK0");
+  EXPECT_EQ(bus_.register_name(0xFFC00140), "SICA_IAR7");
+  EXPECT_EQ(bus_.register_name(0xFFC01F08), "MDMA1_D0_CONFIG");
+  EXPECT_EQ(bus_.register_name(0xFFC01FE8), "MDMA1_S1_IRQ_STATUS");
+  EXPECT_EQ(bus_.register_name(0xFFC00F44), "MDMA2_S0_START_ADDR");
+  EXPECT_EQ(bus_.register_name(0xFFC018B8), "IMDMA_D1_CURR_Y_COUNT");
+  EXPECT_EQ(bus_.register_name(0xFFC0F00C), "HOST_FRAME_GRAB");
+  EXPECT_EQ(bus_.register_name(0xFFC01000), "");
 }
 
 TEST_F(DeviceBusTest, EveryNamedRegisterCanBeReadUnlessItsFaultSaysWhyNot) {
   int registers = 0;
   for (Address address = 0xFFC00000; address < 0xFFC10000; address += 4) {
-    if (register_name(address).empty()) {
+    if (bus_.register_name(address).empty()) {
       EXPECT_THROW(bus_.read(0, address, 4, 0), GuestFault) << std::hex << address;
       continue;
     }
@@ -65,7 +65,7 @@ TEST_F(DeviceBusTest, EveryNamedRegisterCanBeReadUnlessItsFaultSaysWhyNot) {
     try {
       bus_.read(0, address, 4, 0);
     } catch (const GuestFault& fault) {
-      EXPECT_THAT(fault.what(), HasSubstr(register_name(address)));
+      EXPECT_THAT(fault.what(), HasSubstr(bus_.register_name(address)));
     }
   }
   EXPECT_EQ(registers, 2 * 15 + 12 * 13 + 10);

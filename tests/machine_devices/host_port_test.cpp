@@ -22,9 +22,9 @@ StereoFrame frame(std::uint8_t value) {
 class HostPortTest : public testing::Test {
  protected:
   void grab(Cycles now) {
-    port_.write(kFrameLeftAddress, 0x100000, now);
-    port_.write(kFrameRightAddress, 0x200000, now);
-    port_.write(kFrameGrab, 1, now);
+    port_.write(kFrameLeftAddress, 4, 0x100000, now);
+    port_.write(kFrameRightAddress, 4, 0x200000, now);
+    port_.write(kFrameGrab, 4, 1, now);
   }
   std::uint8_t byte(Address address) { return memory_.view_bytes(address, 1)[0]; }
 
@@ -36,10 +36,10 @@ class HostPortTest : public testing::Test {
 
 TEST_F(HostPortTest, GrabFillsBothBuffersAndCounts) {
   port_.set_frames({frame(1), frame(2)}, 3);
-  EXPECT_EQ(port_.read(kFramesLeft), 3U);
+  EXPECT_EQ(port_.read(kFramesLeft, 4, 0), 3U);
   grab(10);
-  EXPECT_EQ(port_.read(kFramesLeft), 2U);
-  EXPECT_EQ(port_.read(kFrameNumber), 0U);
+  EXPECT_EQ(port_.read(kFramesLeft, 4, 0), 2U);
+  EXPECT_EQ(port_.read(kFrameNumber, 4, 0), 0U);
   EXPECT_EQ(byte(0x100000), 1);
   EXPECT_EQ(byte(0x200000 + kBytes - 1), 101);
   EXPECT_EQ(byte(0x200000 + kBytes), 0);
@@ -47,7 +47,7 @@ TEST_F(HostPortTest, GrabFillsBothBuffersAndCounts) {
   EXPECT_EQ(byte(0x100000), 2);
   grab(30);  // the first again
   EXPECT_EQ(byte(0x100000), 1);
-  EXPECT_EQ(port_.read(kFrameNumber), 2U);
+  EXPECT_EQ(port_.read(kFrameNumber, 4, 0), 2U);
   EXPECT_EQ(
       memory_.level_traffic(memory::Level::l3, memory::Initiator::host, memory::Direction::write)
           .bytes,
@@ -57,11 +57,11 @@ TEST_F(HostPortTest, GrabFillsBothBuffersAndCounts) {
 
 TEST_F(HostPortTest, GrabIntoNowhereNamesTheRegister) {
   port_.set_frames({frame(1)}, 1);
-  port_.write(kFrameLeftAddress, 0xFEB00000, 0);  // L2 is too small
+  port_.write(kFrameLeftAddress, 4, 0xFEB00000, 0);  // L2 is too small
   EXPECT_THAT(
-      [&] { port_.write(kFrameGrab, 1, 0); },
+      [&] { port_.write(kFrameGrab, 4, 1, 0); },
       ThrowsMessage<GuestFault>(HasSubstr("HOST_FRAME_LEFT_ADDRESS = 0xfeb00000: 307200 bytes")));
-  EXPECT_THROW(port_.write(kFrameGrab, 2, 0), GuestFault);
+  EXPECT_THROW(port_.write(kFrameGrab, 4, 2, 0), GuestFault);
 }
 
 TEST_F(HostPortTest, FramesOfAnotherSizeAreRefused) {
@@ -81,12 +81,12 @@ TEST_F(HostPortTest, PublishingCopiesTheMapAndItsTimes) {
   grab(2000);
   const std::array<std::uint8_t, 6> map = {1, 2, 3, 4, 5, 6};
   memory_.store_bytes(0xFEB00010, map);
-  port_.write(kMapAddress, 0xFEB00010, 0);
-  port_.write(kMapSize, 3 | 2 << 16, 0);
-  EXPECT_EQ(port_.read(kMapSize), 0x20003U);
+  port_.write(kMapAddress, 4, 0xFEB00010, 0);
+  port_.write(kMapSize, 4, 3 | 2 << 16, 0);
+  EXPECT_EQ(port_.read(kMapSize, 4, 0), 0x20003U);
   std::uint32_t heard = 99;
   port_.set_map_listener([&](const PublishedMap& published) { heard = published.frame_number; });
-  port_.write(kMapPublish, 1, 5000);
+  port_.write(kMapPublish, 4, 1, 5000);
   memory_.store_bytes(0xFEB00010, std::array<std::uint8_t, 1>{77});
   ASSERT_EQ(port_.maps().size(), 1U);
   const PublishedMap& published = port_.maps()[0];
@@ -101,14 +101,14 @@ TEST_F(HostPortTest, PublishingCopiesTheMapAndItsTimes) {
 TEST_F(HostPortTest, WrongMapsAreFaults) {
   port_.set_frames({frame(1)}, 1);
   grab(0);
-  port_.write(kMapSize, 160, 0);
-  EXPECT_THAT([&] { port_.write(kMapPublish, 0, 0); },
+  port_.write(kMapSize, 4, 160, 0);
+  EXPECT_THAT([&] { port_.write(kMapPublish, 4, 0, 0); },
               ThrowsMessage<GuestFault>(HasSubstr("160 x 0 is empty")));
-  port_.write(kMapSize, 160 | 120 << 16, 0);
-  EXPECT_THAT([&] { port_.write(kMapPublish, 1, 0); },
+  port_.write(kMapSize, 4, 160 | 120 << 16, 0);
+  EXPECT_THAT([&] { port_.write(kMapPublish, 4, 1, 0); },
               ThrowsMessage<GuestFault>(HasSubstr("HOST_MAP_PUBLISH = 1: 1 frames")));
-  port_.write(kMapAddress, 0xFF807FFF, 0);
-  EXPECT_THAT([&] { port_.write(kMapPublish, 0, 0); },
+  port_.write(kMapAddress, 4, 0xFF807FFF, 0);
+  EXPECT_THAT([&] { port_.write(kMapPublish, 4, 0, 0); },
               ThrowsMessage<GuestFault>(HasSubstr("HOST_MAP_ADDRESS = 0xff807fff")));
 }
 
@@ -118,20 +118,20 @@ TEST_F(HostPortTest, ConsoleDeliversLinesAndExitTheRest) {
   port_.set_console([&](const std::string& line) { lines.push_back(line); });
   port_.set_exit([&](std::uint32_t status, Cycles at) { exits.emplace_back(status, at); });
   for (const char character : std::string("one\n\ntwo")) {
-    port_.write(kConsole, static_cast<std::uint8_t>(character), 0);
+    port_.write(kConsole, 4, static_cast<std::uint8_t>(character), 0);
   }
   EXPECT_THAT(lines, ElementsAre("one", ""));
-  port_.write(kExit, 3, 77);
+  port_.write(kExit, 4, 3, 77);
   EXPECT_THAT(lines, ElementsAre("one", "", "two"));
   EXPECT_THAT(exits, ElementsAre(std::pair<std::uint32_t, Cycles>{3, 77}));
 }
 
 TEST_F(HostPortTest, RegistersHaveTheirDirection) {
-  EXPECT_THAT([&] { static_cast<void>(port_.read(kExit)); },
+  EXPECT_THAT([&] { static_cast<void>(port_.read(kExit, 4, 0)); },
               ThrowsMessage<GuestFault>(HasSubstr("HOST_EXIT is write-only")));
-  EXPECT_THAT([&] { port_.write(kFramesLeft, 1, 0); },
+  EXPECT_THAT([&] { port_.write(kFramesLeft, 4, 1, 0); },
               ThrowsMessage<GuestFault>(HasSubstr("HOST_FRAMES_LEFT is read-only")));
-  EXPECT_THROW(static_cast<void>(port_.read(kFrameNumber)), GuestFault);
+  EXPECT_THROW(static_cast<void>(port_.read(kFrameNumber, 4, 0)), GuestFault);
 }
 
 }  // namespace
