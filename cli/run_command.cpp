@@ -69,6 +69,20 @@ void remove_maps_from(const std::filesystem::path& folder, std::size_t frame) {
   }
 }
 
+// Says what was found; true when that is nothing.
+bool print_races(const std::vector<machine::RaceReport>& races, double core_hertz) {
+  for (const machine::RaceReport& race : races) {
+    fmt::print("\nRace on {}: {} byte{}, first at {:.6f} s, nothing orders these two\n  {}\n  {}\n",
+               race.object, race.bytes, race.bytes == 1 ? "" : "s",
+               static_cast<double>(race.at) / core_hertz, race.earlier, race.later);
+  }
+  fmt::print("{}\n", races.empty()
+                         ? "No races."
+                         : fmt::format("\n{} race{}; docs/races.md says how to mend them.",
+                                       races.size(), races.size() == 1 ? "" : "s"));
+  return races.empty();
+}
+
 int run(const Options& options) {
   catch_interrupts();  // first: from here on a Ctrl-C ends in the destructors below
   const runner::RunInputs inputs = runner::load_inputs(options.request);
@@ -91,9 +105,11 @@ int run(const Options& options) {
   remove_maps_from(options.out, outcome.maps.size());
   fmt::print("{}", report::to_text(outcome.result));
   fmt::print("Written: {} maps and result.json in {}\n", outcome.maps.size(), options.out);
+  const bool ordered =
+      !options.request.check_races || print_races(outcome.races, outcome.result.core_hertz);
   const bool passed = std::all_of(outcome.result.targets.begin(), outcome.result.targets.end(),
                                   [](const report::Target& target) { return target.passed(); });
-  return options.check && !passed ? kBudgetBroken : kFine;
+  return (options.check && !passed) || !ordered ? kBudgetBroken : kFine;
 }
 
 }  // namespace
@@ -106,6 +122,8 @@ void add_run_command(CLI::App& app, Action& action) {
   add_run_options(*command, options->request);
   command->add_option("--out", options->out, "Folder for what is written")->capture_default_str();
   command->add_flag("--check", options->check, "Exit with 3 when a target is missed");
+  command->add_flag("--check-races", options->request.check_races,
+                    "Also find accesses of cores and DMA that nothing orders; exit with 3 then");
   command->add_option("--trace-counters", options->trace_counters,
                       "Also write the golden trace's counters to this file");
   command->callback([&action, options] { action = [options] { return run(*options); }; });

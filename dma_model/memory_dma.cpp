@@ -50,6 +50,11 @@ const DmaChannel& MemoryDma::channel(std::uint32_t offset) const {
   return offset / kChannelBytes % 2 == 0 ? stream.destination() : stream.source();
 }
 
+std::uint32_t MemoryDma::read(std::uint32_t offset, int bytes, Cycles now) {
+  streams_.at(offset / (2 * kChannelBytes)).note_read();
+  return MemoryDmaRegisters::read(offset, bytes, now);
+}
+
 void MemoryDma::write(std::uint32_t offset, int bytes, std::uint32_t value, Cycles now) {
   const std::size_t stream = offset / (2 * kChannelBytes);
   streams_.at(stream).write(offset / kChannelBytes % 2 == 0, offset % kChannelBytes, bytes, value,

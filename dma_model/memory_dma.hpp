@@ -41,6 +41,7 @@ class MemoryDma final : public MemoryDmaRegisters {
   MemoryDma(Controller controller, const DmaParameters& parameters, Cycles ratio,
             memory::MemorySystem& memory, InterruptLine interrupt);
 
+  [[nodiscard]] std::uint32_t read(std::uint32_t offset, int bytes, Cycles now) override;
   void write(std::uint32_t offset, int bytes, std::uint32_t value, Cycles now) override;
   void advance(Cycles now) override;
 

@@ -23,8 +23,17 @@ MemoryDmaStream::MemoryDmaStream(const std::string& controller, int number,
 void MemoryDmaStream::write(bool to_destination, std::uint32_t offset, int bytes,
                             std::uint32_t value, Cycles now) {
   DmaChannel& channel = to_destination ? destination_ : source_;
+  if (memory::AccessObserver* observer = memory_.observer()) {
+    observer->channel_access(initiator_, memory::Direction::write);
+  }
   if (channel.write(offset, bytes, value)) {
     config_written(channel, now);
+  }
+}
+
+void MemoryDmaStream::note_read() const {
+  if (memory::AccessObserver* observer = memory_.observer()) {
+    observer->channel_access(initiator_, memory::Direction::read);
   }
 }
 
@@ -93,6 +102,9 @@ void MemoryDmaStream::plan_next_event() {
 }
 
 void MemoryDmaStream::advance(Cycles now) {
+  if (memory::AccessObserver* observer = memory_.observer()) {
+    observer->acts(initiator_);
+  }
   while (next_event_ <= now) {
     const Cycles at = next_event_;
     // What ends comes before what begins: it makes room.

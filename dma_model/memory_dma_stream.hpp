@@ -33,6 +33,9 @@ class MemoryDmaStream {
   // be started.
   void write(bool to_destination, std::uint32_t offset, int bytes, std::uint32_t value, Cycles now);
 
+  // A core reads a register of either channel.
+  void note_read() const;
+
   // Time of the next thing that this stream does by itself, or kNever.
   [[nodiscard]] Cycles next_event_time() const { return next_event_; }
   // Does everything that is due up to and including `now`. Throws GuestFault when the transfer

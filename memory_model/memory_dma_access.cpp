@@ -89,6 +89,9 @@ Cycles MemorySystem::dma_words(const Span& span, Direction direction, const DmaR
 Cycles MemorySystem::dma_burst(Initiator initiator, Direction direction,
                                std::span<const DmaRun> runs, std::uint32_t element_bytes,
                                Cycles now) {
+  if (observer_ != nullptr) {
+    observer_->dma_access(initiator, runs, element_bytes, direction, now);
+  }
   Cycles time = now;
   const Span* previous = nullptr;
   for (const DmaRun& run : runs) {

@@ -212,6 +212,9 @@ std::uint8_t* MemorySystem::bytes_at(Address address, std::uint32_t size) const 
 std::uint8_t* MemorySystem::host_access(Address address, std::uint32_t size, Direction direction) {
   std::uint8_t* bytes = bytes_at(address, size);
   count_run(Initiator::host, direction, DmaRun{address, 1, size}, 1);
+  if (observer_ != nullptr) {
+    observer_->host_access(address, size, direction);
+  }
   return bytes;
 }
 

@@ -19,6 +19,7 @@
 #include <common/counters.hpp>
 #include <common/memory_window.hpp>
 #include <common/units.hpp>
+#include <memory_model/access_observer.hpp>
 #include <memory_model/clock_parameters.hpp>
 #include <memory_model/l2_timing.hpp>
 #include <memory_model/memory_map.hpp>
@@ -55,13 +56,6 @@ struct Span {
 
   [[nodiscard]] bool contains(Address address) const { return address - base < size; }
   [[nodiscard]] std::uint8_t* at(Address address) const { return bytes + (address - base); }
-};
-
-// `count` elements, `stride` bytes from one to the next.
-struct DmaRun {
-  Address address = 0;
-  std::int32_t stride = 0;
-  std::uint32_t count = 0;
 };
 
 class MemorySystem {
@@ -129,6 +123,12 @@ class MemorySystem {
   void store_bytes(Address address, std::span<const std::uint8_t> bytes);
   [[nodiscard]] std::span<const std::uint8_t> view_bytes(Address address, std::uint32_t size) const;
 
+  // --- who watches ---
+  // Told of DMA's and the host's accesses from now on; whoever makes a core's tells it of those.
+  // Must outlive the system. nullptr, as at first: nobody.
+  void set_observer(AccessObserver* observer) { observer_ = observer; }
+  [[nodiscard]] AccessObserver* observer() const { return observer_; }
+
   // --- what was counted ---
   // Sums over all objects; equal to the traffic counters.
   [[nodiscard]] Traffic level_traffic(Level level, Initiator initiator, Direction direction) const;
@@ -179,6 +179,7 @@ class MemorySystem {
   [[nodiscard]] Cycles dma_words(const Span& span, Direction direction, const DmaRun& run,
                                  std::uint32_t element_bytes, Cycles start);
 
+  AccessObserver* observer_ = nullptr;
   MemoryMap map_;
   std::vector<HostBytes> region_bytes_;  // as map_.regions
   std::vector<Span> spans_;              // ordered by base; fixed after construction

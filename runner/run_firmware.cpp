@@ -51,6 +51,9 @@ RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
   machine::Machine machine(*inputs.machine, image);
   machine::HostPort& host = machine.host();
   host.set_frames({{inputs.scene.left.pixels(), inputs.scene.right.pixels()}}, inputs.frames);
+  if (inputs.check_races) {
+    machine.check_races();
+  }
   if (observer.console) {
     host.set_console(observer.console);
   }
@@ -80,6 +83,7 @@ RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
   }
   outcome.result = gather_result(inputs, image, machine, outcome.profiles, stop.time);
   outcome.maps = host.maps();
+  outcome.races = machine.races();
   outcome.image = std::move(image);
   return outcome;
 }

@@ -19,6 +19,7 @@
 #include <isa_sim/ir/image.hpp>
 #include <isa_sim/machine/host_port.hpp>
 #include <isa_sim/machine/machine_description.hpp>
+#include <isa_sim/machine/race_report.hpp>
 #include <power_model/power_parameters.hpp>
 #include <report/run_result.hpp>
 #include <scenes/scene.hpp>
@@ -49,6 +50,7 @@ struct RunInputs {
   std::string power_name = "default";
   scenes::Scene scene;
   std::uint32_t frames = 1;
+  bool check_races = false;  // slower
   // The run is given up as endless after so many cycles.
   Cycles cycle_limit = kNever;
 };
@@ -66,6 +68,7 @@ struct RunOutcome {
   bool cancelled = false;  // then the rest is empty
   report::RunResult result;
   std::vector<machine::PublishedMap> maps;
+  std::vector<machine::RaceReport> races;  // where RunInputs asked for them
   // What annotations are made from.
   ir::Image image;
   std::array<core::CoreProfile, kCoreCount> profiles;

@@ -84,6 +84,7 @@ RunInputs load_inputs(const RunRequest& request) {
     inputs.power_name = fs::path(request.power).filename().string();
   }
   inputs.frames = request.frames;
+  inputs.check_races = request.check_races;
   // Two seconds a frame: ten times what the slowest of the camera's firmwares needs.
   const double seconds =
       request.max_seconds > 0 ? request.max_seconds : 2.0 * (request.frames + 1.0);

@@ -26,6 +26,7 @@ struct RunRequest {
   std::vector<std::string> moves;     // "core_b.shd_scores=l3"
   std::vector<std::string> settings;  // "memory.l2.read_cycles=9"
   double max_seconds = 0;             // of simulated time; 0: two a frame
+  bool check_races = false;
 };
 inline constexpr std::uint32_t kMostFrames = 10000;
 

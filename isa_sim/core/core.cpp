@@ -33,9 +33,10 @@ struct Core::Hooks {
       return c.no_memory(o, c.memory_.core_fault(c.number_, address, bytes, write));
     }
     if (MemoryWindow* window = memory::MemorySystem::window(c.number_, span)) {
-      if (!c.protection_.guards_data() && !c.store_buffer_.stalls()) {
+      if (!c.protection_.guards_data() && !c.store_buffer_.stalls() && !c.watched()) {
         o.window = window;
       }
+      c.tell_access(o, address, bytes, write);
       if (c.store_buffer_.stalls()) {
         c.add_stall(o, Cause::store_buffer, c.store_buffer_.access(address, bytes, write, c.now(o)),
                     address);
@@ -46,6 +47,7 @@ struct Core::Hooks {
     if (!continued && c.wait_for_turn(o)) {
       return nullptr;
     }
+    c.tell_access(o, address, bytes, write);
     c.add_far_bytes(o, static_cast<std::size_t>(span->level), bytes);
     const bool far = span->level == memory::Level::l3;
     if (write) {
@@ -65,6 +67,7 @@ struct Core::Hooks {
       return false;
     }
     c.check_access(o, address, bytes, false);
+    c.tell_device_access(o, address, false);
     if (address >= kCoreRegisters) {
       if (!c.read_register(o, address, bytes, value)) {
         c.no_register(o, address, bytes, false);
@@ -89,6 +92,7 @@ struct Core::Hooks {
       return false;
     }
     c.check_access(o, address, bytes, true);
+    c.tell_device_access(o, address, true);
     if (address >= kCoreRegisters) {
       if (!c.write_register(o, address, bytes, value)) {
         c.no_register(o, address, bytes, true);
@@ -122,6 +126,9 @@ struct Core::Hooks {
     }
     if (c.wait_for_turn(o)) {
       return false;
+    }
+    if (c.watched()) {
+      c.memory_.observer()->core_lock(c.number_, o.site, address, c.now(o));
     }
     c.guarded(o, [&] {
       const bool far = span->level == memory::Level::l3;
@@ -362,6 +369,22 @@ void Core::add_stall(const Operation& operation, Cause cause, Cycles cycles, Add
   state_.time += cycles;
   if (trace_ && cycles > 0) {
     trace_->stall(operation.site, {.cause = cause, .cycles = cycles, .address = address});
+  }
+}
+
+void Core::tell_access(const Operation& operation, Address address, int bytes, bool write) {
+  if (watched()) {
+    memory_.observer()->core_access(number_, operation.site, address, bytes,
+                                    write ? memory::Direction::write : memory::Direction::read,
+                                    now(operation));
+  }
+}
+
+void Core::tell_device_access(const Operation& operation, Address address, bool write) {
+  if (watched() && address < kCoreRegisters) {
+    memory_.observer()->device_access(number_, operation.site, address,
+                                      write ? memory::Direction::write : memory::Direction::read,
+                                      now(operation));
   }
 }
 

@@ -86,6 +86,8 @@ class Core {
   }
 
   [[nodiscard]] CoreProfile profile() const;
+  // "function (address, file:line)" of a packet.
+  [[nodiscard]] std::string place(std::uint32_t packet) const;
   void register_counters(CounterRegistry& registry) const;
   [[nodiscard]] isa::ExecutionState& state() { return state_; }
 
@@ -169,7 +171,10 @@ class Core {
     return state_.time + operation.cycle;
   }
   [[noreturn]] void fault(const isa::Operation& operation, const std::string& what) const;
-  [[nodiscard]] std::string place(std::uint32_t packet) const;
+  // Somebody wants to know of every access.
+  [[nodiscard]] bool watched() const { return memory_.observer() != nullptr; }
+  void tell_access(const isa::Operation& operation, Address address, int bytes, bool write);
+  void tell_device_access(const isa::Operation& operation, Address address, bool write);
   [[nodiscard]] bool in_own_l1(Address address);
   // Runs `body`; a GuestFault of the memory or a device gets this core and the operation's place in
   // front.

@@ -147,6 +147,9 @@ void Core::enter(int event, Address back) {
   }
   current_ = block_at(handler, PipelineStates::kRefilled);
   calls_.enter_interrupt(current_->function, back, state_.time);
+  if (memory_.observer() != nullptr) {
+    port_.interrupt_taken(number_);
+  }
   pass(TraceRecord::Kind::entry, current_->first_packet, Cause::interrupt_entry,
        cycles_of(parameters_.interrupt_entry));
 }

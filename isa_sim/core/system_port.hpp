@@ -28,6 +28,9 @@ class SystemPort {
   // When the core's posted register writes have all arrived.
   [[nodiscard]] virtual Cycles device_writes_drained_at(int core) const = 0;
 
+  // The core enters the handler of an interrupt. Only told while memory is watched.
+  virtual void interrupt_taken(int /*core*/) {}
+
   // The core's program prints.
   virtual void print(int core, std::string_view text) = 0;
   // The core's program ends with `status`. `why`: one line when something went wrong, else "".

@@ -78,6 +78,25 @@ std::vector<Stage> read_stages(const TomlReader& reader) {
   return stages;
 }
 
+std::vector<std::string> read_flags(const TomlReader& reader, const toml::table& section,
+                                    const std::vector<Unit>& shared) {
+  const toml::node* node = section.get("flags");
+  if (node == nullptr) {
+    return {};
+  }
+  std::vector<std::string> flags = reader.strings(*node, "flags");
+  for (const std::string& flag : flags) {
+    const bool known = std::ranges::any_of(shared, [&](const Unit& unit) {
+      return std::ranges::any_of(unit->objects,
+                                 [&](const Object& object) { return c_name(object.name) == flag; });
+    });
+    if (!known) {
+      reader.fail(*node, fmt::format("flags: no shared unit has an object {}", flag));
+    }
+  }
+  return flags;
+}
+
 Firmware load_manifest(const fs::path& path) {
   const TomlReader reader(read_text_file(path), path.string());
   const toml::table& root = reader.root();
@@ -109,8 +128,9 @@ Firmware load_manifest(const fs::path& path) {
     throw InputError(path.string() + ": a firmware has a section [core_a]: that core starts first");
   }
   if (const toml::table* shared = reader.table(root, "shared")) {
-    reader.check_keys(*shared, "shared", {"units"});
+    reader.check_keys(*shared, "shared", {"units", "flags"});
     units.shared = loader.load(*shared, "shared");
+    units.flags = read_flags(reader, *shared, units.shared);
   }
   units.stages = read_stages(reader);
   const std::string placement = reader.string(root, "placement");

@@ -38,7 +38,8 @@ struct FirmwareUnits {
   std::string path;  // firmware.toml, or the bare file
   std::array<CoreUnits, kCoreCount> cores;
   std::vector<Unit> shared;
-  std::vector<Stage> stages;  // in the order of the manifest
+  std::vector<std::string> flags;  // C names of shared objects by which the cores synchronise
+  std::vector<Stage> stages;       // in the order of the manifest
 };
 
 struct Firmware {

@@ -52,6 +52,7 @@ struct PlacedObject {
   Address address = 0;
   std::uint32_t size = 0;
   std::vector<std::uint8_t> initial;  // relocated; shorter than size: zeros follow
+  bool flag = false;                  // actors synchronise through it by plain loads and stores
 };
 
 struct CoreImage {

@@ -302,6 +302,8 @@ class Linker {
     placed.address = thing.address + offset;
     placed.size = size;
     placed.initial = std::move(initial);
+    placed.flag = thing.owner == Owner::shared &&
+                  std::ranges::find(firmware_.flags, placed.name) != firmware_.flags.end();
     image_.objects.push_back(std::move(placed));
   }
 

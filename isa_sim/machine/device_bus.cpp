@@ -26,7 +26,8 @@ bool fits(RegisterWidth width, Address address, int bytes) {
 
 DeviceBus::DeviceBus(const MachineDescription& description, memory::MemorySystem& memory,
                      SystemInterrupts::Outputs interrupt_outputs)
-    : read_cycles_(static_cast<Cycles>(description.devices.read_sclk) * description.clock.ratio()),
+    : memory_(memory),
+      read_cycles_(static_cast<Cycles>(description.devices.read_sclk) * description.clock.ratio()),
       write_cycles_(static_cast<Cycles>(description.devices.write_sclk) *
                     description.clock.ratio()),
       interrupts_(description.devices, description.clock.ratio(), std::move(interrupt_outputs)),
@@ -116,6 +117,9 @@ Cycles DeviceBus::write(int core, Address address, int bytes, std::uint32_t valu
 void DeviceBus::advance(Cycles now) {
   while (next_event_ <= now) {
     const Cycles at = next_event_;
+    if (memory::AccessObserver* observer = memory_.observer()) {
+      observer->acts(std::nullopt);
+    }
     if (interrupts_.next_event_time() == at) {
       interrupts_.advance(at);
     } else {

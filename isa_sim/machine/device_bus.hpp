@@ -57,6 +57,7 @@ class DeviceBus {
   [[nodiscard]] std::string register_name(Address address) const;
 
   [[nodiscard]] HostPort& host() { return host_; }
+  [[nodiscard]] SystemInterrupts& interrupts() { return interrupts_; }
 
  private:
   // Where a device's registers lie, and what stands before their names.
@@ -72,6 +73,7 @@ class DeviceBus {
   const Mapping& check(Address address, int bytes, bool write) const;
   void plan_next_event();
 
+  memory::MemorySystem& memory_;
   Cycles read_cycles_;
   Cycles write_cycles_;
   std::array<Cycles, kCoreCount> bus_free_at_{};

@@ -10,6 +10,7 @@
 #include <isa_sim/machine/machine.hpp>
 #include <isa_sim/machine/machine_description.hpp>
 #include <isa_sim/machine/program_host.hpp>
+#include <isa_sim/machine/race_report.hpp>
 
 namespace finback::machine {
 
@@ -56,6 +57,9 @@ class Machine::Implementation final : public core::SystemPort {
               .core_b_released =
                   [this](Cycles at) {
                     if (image_.cores[1].present && !cores_[1]->started()) {
+                      if (races_) {
+                        races_->core_released(1);
+                      }
                       cores_[1]->start(at);
                     }
                   }}) {
@@ -102,6 +106,11 @@ class Machine::Implementation final : public core::SystemPort {
     return bus_.writes_drained_at(core);
   }
 
+  void interrupt_taken(int core) override {
+    memory_.observer()->acts(static_cast<memory::Initiator>(core));
+    bus_.interrupts().note_taken(core);
+  }
+
   void print(int, std::string_view text) override {
     if (program_host_) {
       program_host_->print(text);
@@ -126,6 +135,23 @@ class Machine::Implementation final : public core::SystemPort {
   void serve_programs(ProgramHostOptions options) {
     options.core_hertz = core_hertz_;
     program_host_ = std::make_unique<ProgramHost>(std::move(options), memory_);
+  }
+
+  void check_races() {
+    races_ = std::make_unique<races::RaceDetector>(flags_of(image_));
+    memory_.set_observer(races_.get());
+    bus_.interrupts().set_observer(races_.get());
+  }
+  [[nodiscard]] std::vector<RaceReport> races() const {
+    std::vector<RaceReport> reports;
+    if (races_) {
+      for (const races::Race& race : races_->races()) {
+        reports.push_back(describe(race, image_, [this](int core, std::uint32_t packet) {
+          return cores_[static_cast<std::size_t>(core)]->place(packet);
+        }));
+      }
+    }
+    return reports;
   }
 
   StopInfo run(const RunLimits& limits) {
@@ -240,6 +266,7 @@ class Machine::Implementation final : public core::SystemPort {
   const ir::Image& image_;
   double core_hertz_;
   std::unique_ptr<ProgramHost> program_host_;
+  std::unique_ptr<races::RaceDetector> races_;  // nullptr: nobody asked
   Cycles lookahead_;
   Cycles tick_;  // a millisecond
   memory::MemorySystem memory_;
@@ -262,6 +289,8 @@ memory::MemorySystem& Machine::memory() { return implementation_->memory(); }
 void Machine::trace(CoreId core, core::TraceSink sink) {
   implementation_->core_at(static_cast<int>(core)).trace(std::move(sink));
 }
+void Machine::check_races() { implementation_->check_races(); }
+std::vector<RaceReport> Machine::races() const { return implementation_->races(); }
 StopInfo Machine::run(const RunLimits& limits) {
   try {
     StopInfo stop = implementation_->run(limits);

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <common/counters.hpp>
 #include <common/units.hpp>
@@ -27,6 +28,7 @@ class MemorySystem;
 namespace finback::machine {
 
 class HostPort;
+struct RaceReport;
 struct ProgramHostOptions;
 struct MachineDescription;
 
@@ -76,6 +78,12 @@ class Machine {
   // `sink` gets all that `core` issues, in order, as long as this machine runs. Before the run;
   // costs a run without it nothing.
   void trace(CoreId core, core::TraceSink sink);
+
+  // Watches all accesses for races, from now on: before the run, which gets slower by it. Flags are
+  // the image's.
+  void check_races();
+  // Those met so far, in their order.
+  [[nodiscard]] std::vector<RaceReport> races() const;
 
   // Runs until something of `Stop` happens; may be called again after cycle_limit. Throws
   // GuestFault, with core, function, source line and address, when the program does what the

@@ -87,8 +87,23 @@ SystemInterrupts::SystemInterrupts(const DeviceParameters& parameters, Cycles ra
   }
 }
 
+void SystemInterrupts::note_taken(int core) const {
+  if (observer_ == nullptr) {
+    return;
+  }
+  const Controller& controller = controllers_[static_cast<std::size_t>(core)];
+  for (int word = 0; word < 2; ++word) {
+    const auto w = static_cast<std::size_t>(word);
+    observer_->lines_seen(core, word, controller.visible[w] & controller.mask[w]);
+  }
+}
+
 std::uint32_t SystemInterrupts::read(int core, std::uint32_t offset) const {
   const Controller& controller = controllers_[static_cast<std::size_t>(core)];
+  if (observer_ != nullptr && (offset == kStatus0 || offset == kStatus1)) {
+    const int word = offset == kStatus0 ? 0 : 1;
+    observer_->lines_seen(core, word, controller.line[static_cast<std::size_t>(word)]);
+  }
   switch (offset) {
     case kSyscr:
       // The inter-core bits act when written as 1 and read as 0, so that setting one by reading,
@@ -180,6 +195,9 @@ void SystemInterrupts::set(int core, int source, bool level, Cycles now, Cycles 
     return;
   }
   set_bit(controller.line, source, level);
+  if (level && observer_ != nullptr) {
+    observer_->line_raised(core, source);
+  }
   if (level) {
     rises_.push_back({.at = now + latency, .core = core, .source = source});
   } else {

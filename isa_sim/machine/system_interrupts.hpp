@@ -15,6 +15,7 @@
 #include <common/device.hpp>
 #include <common/units.hpp>
 #include <isa_sim/machine/device_parameters.hpp>
+#include <memory_model/access_observer.hpp>
 
 namespace finback::machine {
 
@@ -49,6 +50,11 @@ class SystemInterrupts {
   // A peripheral's line, seen by both cores' controllers.
   void set_line(int source, bool level, Cycles now);
 
+  // Told of lines that are raised and seen, from now on.
+  void set_observer(memory::AccessObserver* observer) { observer_ = observer; }
+  // `core` takes an interrupt: it sees the lines that ask for one.
+  void note_taken(int core) const;
+
   // An actor: lines that become visible to a core.
   [[nodiscard]] Cycles next_event_time() const { return next_event_; }
   void advance(Cycles now);
@@ -81,6 +87,7 @@ class SystemInterrupts {
   std::uint32_t sica_syscr_ = 0x20;  // COREB_SRAM_INIT: core B held
   std::vector<Rise> rises_;          // few; in the order in which they were raised
   Cycles next_event_ = kNever;
+  memory::AccessObserver* observer_ = nullptr;
 };
 
 // The registers of one controller, as a device.

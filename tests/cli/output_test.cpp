@@ -296,5 +296,34 @@ TEST_F(Output, OfIsaListsInstructions) {
   EXPECT_THAT(finished.out, HasSubstr("| `Dl = ONES D` | 4 | dsp | 1 |"));
 }
 
+// DMA that is not waited for, and DMA that is.
+TEST_F(Output, RacesAreToldAndEndWithThree) {
+  const std::string copy =
+      ".global _start\n_start: P4.L = 0x1F00; P4.H = 0xFFC0;\n"
+      "P0.L = LO(words); P0.H = HI(words); R1 = P0;\n"
+      "R0 = 0x4000 (X); [P4 + 0x44] = R0; [P4 + 4] = R1;\n"
+      "R0 = 4 (X); W[P4 + 0x50] = R0; W[P4 + 0x10] = R0; W[P4 + 0x54] = R0; W[P4 + 0x14] = R0;\n"
+      "R0 = 9 (X); W[P4 + 0x48] = R0; R0 = 11 (X); W[P4 + 8] = R0; SSYNC;\n";
+  const std::string end =
+      "R2 = [P0];\nP1 = 1000 (X); LSETUP (pause, pause) LC0 = P1;\npause: NOP;\nR0 = 0 (X); P4.L = "
+      "0xF020; [P4] = R0;\nsleep: IDLE; JUMP sleep;\n"
+      ".data\n.global words\nwords: .space 16\n";
+  write("hasty.s", copy + end);
+  write("patient.s",
+        copy + "wait: R0 = W[P4 + 0x28] (Z); CC = BITTST(R0, 0); IF !CC JUMP wait;\n" + end);
+  const auto run = [&](const char* firmware) {
+    return finback({"run", "--firmware", firmware, "--scene", "synthetic", "--check-races"});
+  };
+  const Finished hasty = run("hasty.s");
+  EXPECT_EQ(hasty.exit_code, 3) << hasty.err;
+  EXPECT_THAT(hasty.out, HasSubstr("Race on words+0 of core_a"));
+  EXPECT_THAT(hasty.out, HasSubstr("\n  core_a reads in start (0x"));
+  EXPECT_THAT(hasty.out, HasSubstr("\n  mdma1_0 writes, commanded by core_a in start (0x"));
+  EXPECT_THAT(hasty.out, HasSubstr("1 race; docs/races.md"));
+  const Finished patient = run("patient.s");
+  EXPECT_EQ(patient.exit_code, 0) << patient.err;
+  EXPECT_THAT(patient.out, HasSubstr("\nNo races.\n"));
+}
+
 }  // namespace
 }  // namespace finback::cli

@@ -92,6 +92,10 @@ TEST_F(FirmwareFolder, SaysWhatIsWrongWithAManifest) {
             "firmware.toml:1:13: 'placement' is a string between quotes");
   EXPECT_EQ(load_error("placement = \"no.toml\"\n[core_a]\nunits = [\"a.bir\"]"),
             "no.toml: cannot be read: No such file or directory");
+  write("s.bir", ".bir 1\n.data\n.type _x, @object\n_x: .long 0\n.size _x, 4\n");
+  EXPECT_EQ(
+      load_error("[core_a]\nunits = [\"a.bir\"]\n[shared]\nunits = [\"s.bir\"]\nflags = [\"y\"]"),
+      "firmware.toml:5:9: flags: no shared unit has an object y");
   write("bad.bir", ".bir 1\n.type _f, @function\n_f: NOP;\n");
   EXPECT_EQ(load_error("[core_a]\nunits = [\"bad.bir\"]"),
             "bad.bir:3:5: _f runs on past its last instruction: end it with RTS or a jump");

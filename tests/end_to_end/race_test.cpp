@@ -1,0 +1,80 @@
+// The shipped firmware has no races, and one that is put into it is found.
+#include <filesystem>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "firmware_run.hpp"
+
+namespace finback {
+namespace {
+
+namespace fs = std::filesystem;
+
+runner::RunOutcome watched(runner::RunInputs inputs) {
+  inputs.check_races = true;
+  return runner::run_firmware(inputs);
+}
+
+TEST(Races, TheFirmwareHasNone) {
+  const runner::RunOutcome outcome = watched(mesvs2_inputs(scenes::make_synthetic_scene(), 4));
+  EXPECT_EQ(outcome.maps.size(), 4U);
+  for (const machine::RaceReport& race : outcome.races) {
+    ADD_FAILURE() << race.object << ": " << race.earlier << "; " << race.later;
+  }
+}
+
+TEST(Races, WatchingChangesNothing) {
+  const runner::RunOutcome usual =
+      runner::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene(), 2));
+  const runner::RunOutcome slower = watched(mesvs2_inputs(scenes::make_synthetic_scene(), 2));
+  EXPECT_EQ(usual.result.counters, slower.result.counters);
+}
+
+// A copy of the firmware in which the map is published without waiting for its last band.
+class FirmwareWithoutAWait {
+ public:
+  FirmwareWithoutAWait()
+      : folder_(fs::temp_directory_path() /
+                fmt::format("finback-race-{}", ::getpid())) {
+    fs::remove_all(folder_);
+    fs::copy(share_folder() / "firmware" / "mesvs2", folder_);
+    const fs::path unit = folder_ / "main_b.bir";
+    std::string text = read_text_file(unit);
+    const std::string call = "CALL _memory_dma_wait;";
+    const std::size_t at = text.find(call, text.find("\n_publish_map:"));
+    if (at == std::string::npos) {
+      throw std::runtime_error("publish_map does not wait for DMA");
+    }
+    text.replace(at, call.size(), "NOP;");
+    write_file_whole(unit, text);
+  }
+  ~FirmwareWithoutAWait() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  FirmwareWithoutAWait(const FirmwareWithoutAWait&) = delete;
+  FirmwareWithoutAWait& operator=(const FirmwareWithoutAWait&) = delete;
+
+  [[nodiscard]] std::string path() const { return folder_.string(); }
+
+ private:
+  fs::path folder_;
+};
+
+TEST(Races, AWaitThatWasForgottenIsFound) {
+  const FirmwareWithoutAWait broken;
+  runner::RunInputs inputs = mesvs2_inputs(scenes::make_synthetic_scene(), 2);
+  inputs.firmware = runner::find_firmware(broken.path(), {});
+  const runner::RunOutcome outcome = watched(std::move(inputs));
+  ASSERT_EQ(outcome.races.size(), 1U);
+  EXPECT_THAT(outcome.races[0].object, testing::StartsWith("disparity_map+"));
+  EXPECT_THAT(outcome.races[0].earlier, testing::HasSubstr("drivers/host_port.c:"));
+  EXPECT_THAT(outcome.races[0].later,
+              testing::AllOf(testing::HasSubstr("mdma1_1 writes, commanded by core_b"),
+                             testing::HasSubstr("drivers/memory_dma.c:")));
+}
+
+}  // namespace
+}  // namespace finback
