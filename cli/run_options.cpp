@@ -29,7 +29,9 @@ void add_run_options(CLI::App& command, runner::RunRequest& request) {
                   "Installed firmware, or path of a folder, a firmware.toml or a .bir file")
       ->capture_default_str()
       ->group(kGroup);
-  command.add_option("--machine", request.machine, "Machine file (TOML) instead of the BF561")
+  command
+      .add_option("--machine", request.machine,
+                  "Installed machine, or machine file (TOML), instead of the BF561")
       ->group(kGroup);
   command
       .add_option("--set", request.settings,

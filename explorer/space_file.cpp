@@ -184,7 +184,7 @@ class SpaceReader {
     axis.choices = text_choices(*node, "variants");
     for (Choice& choice : axis.choices) {
       const std::string name =
-          runner::firmware_named_in(fs::path(reader_.file()).parent_path(), choice.text);
+          runner::named_in(fs::path(reader_.file()).parent_path(), choice.text);
       try {
         static_cast<void>(runner::find_firmware(name, std::nullopt));
       } catch (const InputError& error) {

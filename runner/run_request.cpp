@@ -6,6 +6,7 @@
 
 #include <common/file.hpp>
 #include <power_model/power_file.hpp>
+#include <runner/find_machine.hpp>
 #include <runner/movables.hpp>
 #include <runner/run_request.hpp>
 
@@ -55,9 +56,9 @@ void apply_setting(machine::MachineDescription& machine, const std::string& text
 }  // namespace
 
 std::unique_ptr<machine::MachineDescription> load_machine(
-    const std::string& file, const std::vector<std::string>& settings) {
-  auto description =
-      file.empty() ? std::make_unique<machine::MachineDescription>() : machine::load_machine(file);
+    const std::string& name, const std::vector<std::string>& settings) {
+  auto description = name.empty() ? std::make_unique<machine::MachineDescription>()
+                                  : machine::load_machine(find_machine(name));
   for (const std::string& setting : settings) {
     apply_setting(*description, setting);
   }

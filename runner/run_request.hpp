@@ -20,7 +20,8 @@ struct RunRequest {
   std::string left;  // both or none: a pair instead of a scene
   std::string right;
   std::uint32_t frames = 4;  // 1 to kMostFrames
-  std::string machine;       // files; "": the BF561, the firmware's own placement, default power
+  std::string machine;       // as find_machine takes it; "": the BF561
+  // Files; "": the firmware's own placement, default power.
   std::string placement;
   std::string power;
   std::vector<std::string> moves;     // "core_b.shd_scores=l3"
@@ -30,10 +31,10 @@ struct RunRequest {
 };
 inline constexpr std::uint32_t kMostFrames = 10000;
 
-// The machine of a file ("": the BF561) with settings such as "memory.l2.read_cycles=9". Throws
-// InputError.
+// The machine that find_machine finds ("": the BF561) with settings such as
+// "memory.l2.read_cycles=9". Throws InputError.
 [[nodiscard]] std::unique_ptr<machine::MachineDescription> load_machine(
-    const std::string& file, const std::vector<std::string>& settings);
+    const std::string& name, const std::vector<std::string>& settings);
 
 // Loads everything that `request` names. Throws InputError.
 [[nodiscard]] RunInputs load_inputs(const RunRequest& request);

@@ -6,7 +6,7 @@ namespace finback::runner {
 
 namespace fs = std::filesystem;
 
-std::string firmware_named_in(const fs::path& folder, const std::string& name) {
+std::string named_in(const fs::path& folder, const std::string& name) {
   return name.find_first_of("/.") != std::string::npos ? (folder / name).string() : name;
 }
 
@@ -21,7 +21,7 @@ RunRequest read_run_request(const TomlReader& reader, const toml::table& table) 
   };
   RunRequest request;
   if (const std::string name = reader.string(table, "firmware"); !name.empty()) {
-    request.firmware = firmware_named_in(folder, name);
+    request.firmware = named_in(folder, name);
   }
   if (const std::string name = reader.string(table, "scene"); !name.empty()) {
     request.scene = name;
@@ -31,7 +31,7 @@ RunRequest read_run_request(const TomlReader& reader, const toml::table& table) 
   if (request.left.empty() != request.right.empty()) {
     reader.fail(table, "[run] has one of left and right: a pair needs both");
   }
-  request.machine = path("machine");
+  request.machine = named_in(folder, reader.string(table, "machine"));
   request.placement = path("placement");
   request.power = path("power");
   if (const toml::node* node = table.get("place")) {

@@ -9,10 +9,9 @@
 
 namespace finback::runner {
 
-// A firmware that a file in `folder` names, as find_firmware takes it: what looks like a path is
-// one, relative to the folder.
-[[nodiscard]] std::string firmware_named_in(const std::filesystem::path& folder,
-                                            const std::string& name);
+// A firmware or machine that a file in `folder` names, as find_firmware and find_machine take it:
+// what looks like a path is one, relative to the folder.
+[[nodiscard]] std::string named_in(const std::filesystem::path& folder, const std::string& name);
 
 // Reads the keys of a [run] table, which are the options of `finback run`: firmware, scene, left,
 // right, frames, machine, placement, power, place, set, max_seconds. Paths are relative to the

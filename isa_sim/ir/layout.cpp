@@ -145,11 +145,16 @@ class Collector {
 class Layout {
  public:
   Layout(const FirmwareUnits& firmware, const Placement& placement, const MemoryMap& map)
-      : firmware_(firmware), placement_(placement), map_(map) {}
+      : firmware_(firmware), placement_(placement), map_(map) {
+    for (const Owner owner : kOwners) {
+      fit_to_machine(owner);
+    }
+  }
 
   std::vector<Thing> run() {
     for (const Owner owner : kOwners) {
       if (present(owner)) {
+        check_machine(owner);
         check_lists(owner);
         things_[index_of(owner)] = Collector(owner, units_of(owner)).take();
         check_patterns(owner);
@@ -182,6 +187,38 @@ class Layout {
   }
 
   // --- checks of the placement ---
+
+  void check_machine(Owner owner) const {
+    const int core = core_of(owner);
+    if (core >= 0 && std::ranges::find(map_.regions, core, &Region::core) == map_.regions.end()) {
+      throw InputError(fmt::format(
+          "{} has code for {}, which this machine does not have: no region of its map is {}'s",
+          firmware_.path, owner_name(owner), owner_name(owner)));
+    }
+  }
+
+  // A list names regions in order of preference: those of the BF561 that this machine lacks are
+  // left out, as long as another one stays.
+  void fit_to_machine(Owner owner) {
+    static const MemoryMap bf561 = memory::bf561_map();
+    const int core = core_of(owner);
+    const auto absent = [&](const std::string& name) {
+      return map_.find(core, name) == nullptr && bf561.find(core, name) != nullptr;
+    };
+    const auto fit = [&](RegionList& list) {
+      if (!std::ranges::all_of(list.names, absent)) {
+        std::erase_if(list.names, absent);
+      }
+    };
+    OwnerPlacement& own = placement_.of(owner);
+    fit(own.code);
+    fit(own.defaults);
+    for (std::vector<PlacementRule>* rules : {&own.functions, &own.objects}) {
+      for (PlacementRule& rule : *rules) {
+        fit(rule.regions);
+      }
+    }
+  }
 
   const Region& region(Owner owner, const std::string& name, const SourcePlace& written,
                        bool code) const {
@@ -373,7 +410,7 @@ class Layout {
   }
 
   const FirmwareUnits& firmware_;
-  const Placement& placement_;
+  Placement placement_;
   const MemoryMap& map_;
   std::array<std::vector<Thing>, 3> things_;  // by owner, in the order of the text
   std::map<Address, std::uint32_t> used_;     // by a region's base: bytes taken, with gaps

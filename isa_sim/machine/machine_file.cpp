@@ -27,9 +27,18 @@ class MachineReader {
         description_->name = text(key.str(), node);
       } else if (key == "region") {
         read_regions(node);
+      } else if (key == "map") {
+        // Below.
       } else {
         read_parameters(std::string(key.str()), key, node);
       }
+    }
+    if (const toml::node* changes = root.get("map")) {
+      if (root.contains("region")) {
+        fail(changes->source(),
+             "[map] changes the BF561's map, [[region]] replaces it: one of the two");
+      }
+      change_map(*changes);
     }
     try {
       static_cast<void>(description_->clock.ratio());
@@ -87,7 +96,7 @@ class MachineReader {
   }
 
   [[nodiscard]] std::vector<std::string> parameter_names() const {
-    std::vector<std::string> names = {"name", "region"};
+    std::vector<std::string> names = {"name", "region", "map"};
     for (const ParameterBase* parameter : std::as_const(*description_).parameters()) {
       names.emplace_back(parameter->declaration().name);
     }
@@ -119,8 +128,75 @@ class MachineReader {
               [](const Region& a, const Region& b) { return a.base < b.base; });
   }
 
+  // What stands in [map]: `name = { size = ... }` or `name = false`.
+  void change_map(const toml::node& node) {
+    const toml::table* table = node.as_table();
+    if (table == nullptr) {
+      fail(node.source(), "map wants a table [map] of regions and what changes in them");
+    }
+    for (const auto& [key, change] : *table) {
+      change_regions(key, change);
+    }
+    const std::vector<Region>& regions = description_->map.regions;
+    for (std::size_t i = 1; i < regions.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        check_pair(node.source(), regions[i], regions[j]);
+      }
+    }
+    std::ranges::sort(description_->map.regions, {}, &Region::base);
+  }
+
+  // Whether `key`, "l1.code", "core_b.l1.code" or "core_b", means `region`.
+  static bool means(std::string_view key, const Region& region) {
+    if (region.core < 0) {
+      return key == region.name;
+    }
+    const std::string core = name_of(static_cast<CoreId>(region.core));
+    return key == region.name || key == core || key == core + "." + region.name;
+  }
+
+  void change_regions(const toml::key& key, const toml::node& change) {
+    std::vector<Region>& regions = description_->map.regions;
+    std::vector<std::string> known = {"core_b"};
+    bool found = false;
+    for (Region& region : regions) {
+      known.push_back(region.name);
+      if (!means(key.str(), region)) {
+        continue;
+      }
+      found = true;
+      if (const toml::table* table = change.as_table()) {
+        change_region(*table, region);
+      } else if (!change.is_boolean() || **change.as_boolean()) {
+        fail(change.source(),
+             fmt::format("map.{} wants {{ size = ... }}, or false for a machine without it",
+                         key.str()));
+      }
+    }
+    if (!found) {
+      fail(key.source(), unknown("region", std::string(key.str()), known));
+    }
+    if (change.is_boolean()) {
+      std::erase_if(regions, [&](const Region& region) { return means(key.str(), region); });
+    }
+  }
+
+  void change_region(const toml::table& table, Region& region) const {
+    check_keys(table, {"base", "size", "code", "data", "dma_reachable"});
+    if (table.contains("base")) {
+      region.base = number(table, "base", 0);
+    }
+    if (table.contains("size")) {
+      region.size = number(table, "size", 4);
+    }
+    region.code = flag(table, "code", region.code);
+    region.data = flag(table, "data", region.data);
+    region.dma_reachable = flag(table, "dma_reachable", region.dma_reachable);
+    check_end(table.source(), region);
+  }
+
   Region read_region(const toml::table& table) const {
-    check_region_keys(table);
+    check_keys(table, {"name", "base", "size", "level", "core", "code", "data", "dma_reachable"});
     Region region;
     region.name = text("region.name", required(table, "name"));
     region.base = number(table, "base", 0);
@@ -139,16 +215,18 @@ class MachineReader {
                                              "out core",
                                              region.name));
     }
-    if (std::uint64_t{region.base} + region.size > kDeviceRegisters) {
-      fail(table.source(), fmt::format("region {} reaches into the device registers at {:#x}",
-                                       region.name, kDeviceRegisters));
-    }
+    check_end(table.source(), region);
     return region;
   }
 
-  void check_region_keys(const toml::table& table) const {
-    const std::vector<std::string> known = {"name", "base", "size", "level",
-                                            "core", "code", "data", "dma_reachable"};
+  void check_end(const toml::source_region& at, const Region& region) const {
+    if (std::uint64_t{region.base} + region.size > kDeviceRegisters) {
+      fail(at, fmt::format("region {} reaches into the device registers at {:#x}", region.name,
+                           kDeviceRegisters));
+    }
+  }
+
+  void check_keys(const toml::table& table, const std::vector<std::string>& known) const {
     for (const auto& [key, node] : table) {
       if (std::find(known.begin(), known.end(), key.str()) == known.end()) {
         fail(key.source(), unknown("key of a region:", std::string(key.str()), known));

@@ -325,5 +325,38 @@ TEST_F(Output, RacesAreToldAndEndWithThree) {
   EXPECT_THAT(patient.out, HasSubstr("\nNo races.\n"));
 }
 
+TEST_F(Output, InstalledMachinesGoByName) {
+  write("one.s", "_start: HLT;\n");
+  EXPECT_EQ(finback({"exec", "one.s", "--environment", "chip", "--machine", "one_core"}).exit_code,
+            0);
+  const Finished two = finback(
+      {"exec", "one.s", "--core-b", "one.s", "--environment", "chip", "--machine", "one_core"});
+  EXPECT_EQ(two.exit_code, 2);
+  EXPECT_THAT(two.err, HasSubstr("has code for core_b, which this machine does not have"));
+  const Finished typo = finback({"run", "--machine", "half_l2"});
+  EXPECT_EQ(typo.exit_code, 2);
+  EXPECT_THAT(typo.err, HasSubstr("machine 'half_l2' is not installed, did you mean 'half_l1'; "
+                                  "known: bf561, fast_l2, half_l1, one_core"));
+  const Finished page = finback({"machine", "fast_l2"});
+  EXPECT_EQ(page.exit_code, 0);
+  EXPECT_THAT(page.out,
+              HasSubstr("  l2             shared   l2    0xfeb00000    256 KB  code, data\n"));
+  EXPECT_THAT(page.out,
+              HasSubstr("\n  memory.l2.read_cycles                4 CCLK instead of 9\n"));
+}
+
+// A machine changes when, never what.
+TEST_F(Output, MapsAreTheSameOnAMachineWithLessMemory) {
+  for (const std::string machine : {"bf561", "half_l1"}) {
+    const Finished run = finback(
+        {"run", "--scene", "synthetic", "--frames", "1", "--machine", machine, "--out", machine});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+  }
+  EXPECT_EQ(read_text_file(folder() / "bf561" / "disparity_0000.png"),
+            read_text_file(folder() / "half_l1" / "disparity_0000.png"));
+  EXPECT_GT(result("half_l1")["counters"]["core_b.stall.l2_read.cycles"],
+            result("bf561")["counters"]["core_b.stall.l2_read.cycles"]);
+}
+
 }  // namespace
 }  // namespace finback::cli

@@ -168,5 +168,68 @@ TEST(MachineFile, AMissingFileIsNamed) {
               ThrowsMessage<InputError>(HasSubstr("/nowhere/m.toml")));
 }
 
+std::uint32_t size_of(const MachineDescription& machine, int core, const char* name) {
+  const memory::Region* region = machine.map.find(core, name);
+  return region == nullptr ? 0 : region->size;
+}
+
+TEST(MachineMap, ChangesRegionsOfBothCoresOrOne) {
+  const auto machine = parse_machine(
+      "[map]\n\"l1.data.a\" = { size = 0x4000 }\n\"core_b.l1.code\" = { size = 0x2000, data = true "
+      "}\n"
+      "l2 = { base = 0xFEA00000, size = 0x40000 }\n",
+      "m.toml");
+  EXPECT_EQ(size_of(*machine, 0, "l1.data.a"), 0x4000U);
+  EXPECT_EQ(size_of(*machine, 1, "l1.data.a"), 0x4000U);
+  EXPECT_EQ(size_of(*machine, 0, "l1.code"), 0x4000U);
+  EXPECT_EQ(size_of(*machine, 1, "l1.code"), 0x2000U);
+  EXPECT_TRUE(machine->map.find(1, "l1.code")->data);
+  EXPECT_EQ(machine->map.find(0xFEA00000)->size, 0x40000U);
+  EXPECT_EQ(machine->map.find(0xFEB00000), nullptr);
+}
+
+TEST(MachineMap, TakesRegionsAwayAndACoreWithAllOfIts) {
+  const auto machine = parse_machine("[map]\ncore_b = false\nl2 = false\n", "m.toml");
+  EXPECT_EQ(machine->map.regions.size(), 6U);
+  EXPECT_EQ(machine->map.find(1, "l1.code"), nullptr);
+  EXPECT_EQ(machine->map.find(0, "l2"), nullptr);
+}
+
+TEST(MachineMap, SaysWhatIsWrong) {
+  const auto error = [](const std::string& text) {
+    try {
+      static_cast<void>(parse_machine(text, "m.toml"));
+      return std::string();
+    } catch (const InputError& problem) {
+      return std::string(problem.what());
+    }
+  };
+  EXPECT_EQ(error("[map]\nl4 = false"), "m.toml:2:1: unknown region l4, did you mean l3");
+  EXPECT_EQ(error("[map]\nl2 = true"),
+            "m.toml:2:6: map.l2 wants { size = ... }, or false for a machine without it");
+  EXPECT_EQ(error("[map]\nl2 = { sise = 4 }"),
+            "m.toml:2:8: unknown key of a region: sise, did you mean size");
+  EXPECT_EQ(error("[map]\nl2 = { size = 0x20000000 }"),
+            "m.toml:2:6: region l2 reaches into the device registers at 0xffc00000");
+  EXPECT_EQ(error("[map]\nl2 = { size = 0xA00000 }"),
+            "m.toml:1:1: region l1.data.a at 0xff400000 overlaps l2 at 0xfeb00000");
+  EXPECT_EQ(
+      error("[map]\nl2 = false\n[[region]]\nname = \"l3\"\nbase = 0\nsize = 64\nlevel = \"l3\""),
+      "m.toml:1:1: [map] changes the BF561's map, [[region]] replaces it: one of the two");
+  EXPECT_EQ(error("map = 3"),
+            "m.toml:1:7: map wants a table [map] of regions and what changes in them");
+}
+
+TEST(MachineFiles, OfTheRepositoryAreAllReadable) {
+  int machines = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kSource / "machines")) {
+    if (entry.path().extension() == ".toml") {
+      EXPECT_EQ(load_machine(entry.path())->name, entry.path().stem().string());
+      ++machines;
+    }
+  }
+  EXPECT_GE(machines, 4);
+}
+
 }  // namespace
 }  // namespace finback::machine
