@@ -9,7 +9,7 @@ packages=(
   # finback-cc: LLVM as a library and clang as its front end
   llvm-19-dev clang-19 zlib1g-dev libzstd-dev
   # libraries of the simulator and its tools
-  libopencv-core-dev libopencv-imgcodecs-dev libopencv-imgproc-dev
+  libopencv-calib3d-dev libopencv-core-dev libopencv-imgcodecs-dev libopencv-imgproc-dev
   libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libeigen3-dev
   # finback explore: the table of finished points, and its plot
   libsqlite3-dev gnuplot-nox
