@@ -15,30 +15,7 @@ int hamming_distance(std::uint8_t left, std::uint8_t right) {
   return std::popcount(static_cast<unsigned>(left ^ right));
 }
 
-void check_arguments(const ByteImage& left, const ByteImage& right,
-                     const MatchParameters& parameters) {
-  if (left.width() != right.width() || left.height() != right.height()) {
-    throw InputError(fmt::format(
-        "stereo pair: the left image is {}x{}, the right one {}x{}; both must have the same size",
-        left.width(), left.height(), right.width(), right.height()));
-  }
-  const auto& p = parameters;
-  if (p.window < 1 || p.window > 255 || p.window % 2 == 0) {
-    throw InputError(
-        fmt::format("matching window {}: it must be an odd number from 1 to 255", p.window));
-  }
-  if (p.disparity_min < 1 || p.disparity_max > 255 || p.disparity_min > p.disparity_max) {
-    throw InputError(fmt::format(
-        "disparities {}..{}: they must lie in 1..255 (0 marks invalid pixels), the smaller first",
-        p.disparity_min, p.disparity_max));
-  }
-  if (left.height() < p.window || left.width() < p.window + p.disparity_min) {
-    throw InputError(fmt::format(
-        "stereo pair of {}x{}: too small for a window of {} at disparity {}; at least {}x{} needed",
-        left.width(), left.height(), p.window, p.disparity_min, p.window + p.disparity_min,
-        p.window));
-  }
-}
+ImageSize size_of(const ByteImage& image) { return {image.width(), image.height()}; }
 
 // Whether the windows of left x and right x - d both lie inside the rows.
 bool is_candidate(int x, int disparity, int width, int half_window) {
@@ -59,7 +36,7 @@ int window_score(const ByteImage& left, const ByteImage& right, int x, int y, in
 // Plain matching of either view; `side` is the factor of d from a pixel of the map to its left x.
 ByteImage match_plain(const ByteImage& left, const ByteImage& right,
                       const MatchParameters& parameters, int side) {
-  check_arguments(left, right, parameters);
+  check_match_arguments(size_of(left), size_of(right), parameters);
   const int n = parameters.half_window();
   ByteImage map(left.width(), left.height());
   for (int y = n; y < left.height() - n; ++y) {
@@ -164,6 +141,30 @@ class RecursiveMatcher {
 
 }  // namespace
 
+void check_match_arguments(const ImageSize& left, const ImageSize& right,
+                           const MatchParameters& parameters) {
+  if (left != right) {
+    throw InputError(fmt::format(
+        "stereo pair: the left image is {}x{}, the right one {}x{}; both must have the same size",
+        left.width, left.height, right.width, right.height));
+  }
+  const auto& p = parameters;
+  if (p.window < 1 || p.window > 255 || p.window % 2 == 0) {
+    throw InputError(
+        fmt::format("matching window {}: it must be an odd number from 1 to 255", p.window));
+  }
+  if (p.disparity_min < 1 || p.disparity_max > 255 || p.disparity_min > p.disparity_max) {
+    throw InputError(fmt::format(
+        "disparities {}..{}: they must lie in 1..255 (0 marks invalid pixels), the smaller first",
+        p.disparity_min, p.disparity_max));
+  }
+  if (left.height < p.window || left.width < p.window + p.disparity_min) {
+    throw InputError(fmt::format(
+        "stereo pair of {}x{}: too small for a window of {} at disparity {}; at least {}x{} needed",
+        left.width, left.height, p.window, p.disparity_min, p.window + p.disparity_min, p.window));
+  }
+}
+
 Region computed_region(int width, int height, const MatchParameters& parameters) {
   const int n = parameters.half_window();
   return {n + parameters.disparity_min, n, width - n, height - n};
@@ -203,7 +204,7 @@ ByteImage match_right_plain(const ByteImage& left_census, const ByteImage& right
 
 DisparityPair match_recursive(const ByteImage& left_census, const ByteImage& right_census,
                               const MatchParameters& parameters) {
-  check_arguments(left_census, right_census, parameters);
+  check_match_arguments(size_of(left_census), size_of(right_census), parameters);
   const int width = left_census.width();
   const int height = left_census.height();
   DisparityPair maps{ByteImage(width, height), ByteImage(width, height)};

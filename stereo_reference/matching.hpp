@@ -49,6 +49,17 @@ struct Region {
   friend bool operator==(const Region&, const Region&) = default;
 };
 
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+  friend bool operator==(const ImageSize&, const ImageSize&) = default;
+};
+
+// Throws InputError when the images of a pair differ in size, the window is even, the range of
+// disparities is empty or no candidate fits into the image: what every matcher asks for.
+void check_match_arguments(const ImageSize& left, const ImageSize& right,
+                           const MatchParameters& parameters);
+
 // The pixels of the left map that are computed (see above).
 [[nodiscard]] Region computed_region(int width, int height, const MatchParameters& parameters);
 
