@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <cli/camera_options.hpp>
 #include <cli/commands.hpp>
 #include <cli/program_options.hpp>
 #include <cli/progress.hpp>
@@ -109,6 +110,7 @@ void add_exec_command(CLI::App& app, Action& action, std::vector<std::string> ar
   add_program_files(*command, options->program)->required();
   add_program_options(*command, options->program);
   add_program_machine(*command, options->program);
+  add_port_options(*command, options->program.ports, "What is at the pins");
   command->add_option("--max-cycles", options->max_cycles, "End the program after so many cycles")
       ->check(CLI::PositiveNumber);
   command->add_flag("--dump-registers", options->dump_registers, "Print the registers at the end");

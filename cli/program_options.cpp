@@ -31,6 +31,7 @@ runner::ProgramRequest ProgramOptions::request() const {
   request.entry = entry;
   request.machine = machine;
   request.settings = settings;
+  request.ports = ports;
   request.note = [](const std::string& message) { fmt::print(stderr, "{}\n", message); };
   return request;
 }

@@ -22,6 +22,7 @@ struct ProgramOptions {
   std::string entry;
   std::string environment = "user";
   std::uint32_t memory_megabytes = 64;
+  runner::PortRequest ports;
 
   [[nodiscard]] runner::ProgramRequest request() const;
   // With the program's input and output, ended by Ctrl-C.

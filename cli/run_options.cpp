@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <cli/camera_options.hpp>
 #include <cli/run_options.hpp>
 
 namespace finback::cli {
@@ -20,7 +21,17 @@ void add_run_options(CLI::App& command, runner::RunRequest& request) {
       ->excludes(left)
       ->excludes(right)
       ->group(kGroup);
-  command.add_option("--frames", request.frames, "Frames to process; the pair is repeated")
+  command
+      .add_option(
+          "--frames-from", request.frames_from,
+          "Pairs that change: moving, a folder of left_* and right_* pictures, a video (side "
+          "by side), or two: LEFT,RIGHT")
+      ->type_name("moving|DIR|VIDEO")
+      ->excludes(left)
+      ->excludes(right)
+      ->excludes(command.get_option("--scene"))
+      ->group(kGroup);
+  command.add_option("--frames", request.frames, "Frames to process; pairs are repeated")
       ->capture_default_str()
       ->check(CLI::Range(1U, runner::kMostFrames))
       ->group(kGroup);
@@ -52,6 +63,8 @@ void add_run_options(CLI::App& command, runner::RunRequest& request) {
       ->group(kGroup);
   command.add_option("--power", request.power, "Power file (TOML): other numbers for the watts")
       ->group(kGroup);
+  add_camera_options(command, request, kGroup);
+  add_port_options(command, request.ports, kGroup);
   command
       .add_option("--max-seconds", request.max_seconds,
                   "Give up after so much simulated time (default: 2 s a frame)")
@@ -69,10 +82,20 @@ runner::RunRequest with_given_options(const CLI::App& command, const runner::Run
   take("--left", &runner::RunRequest::left);
   take("--right", &runner::RunRequest::right);
   take("--scene", &runner::RunRequest::scene);
+  take("--frames-from", &runner::RunRequest::frames_from);
   if (command.get_option("--scene")->count() > 0) {
     base.left.clear();
     base.right.clear();
   }
+  take("--camera-rate", &runner::RunRequest::camera_rate);
+  take("--distort", &runner::RunRequest::distortion);
+  take("--misalign", &runner::RunRequest::misalignment);
+  take("--drop-frame", &runner::RunRequest::dropped);
+  take("--late-frame", &runner::RunRequest::late);
+  take("--uart", &runner::RunRequest::ports);
+  take("--uart-input", &runner::RunRequest::ports);
+  take("--flags", &runner::RunRequest::ports);
+  take("--flags-input", &runner::RunRequest::ports);
   take("--frames", &runner::RunRequest::frames);
   take("--firmware", &runner::RunRequest::firmware);
   take("--machine", &runner::RunRequest::machine);

@@ -13,6 +13,13 @@ struct PeripheralParameters final : ParameterGroup {
       this,
       {"ppi.burst_bytes", "bytes", 32, 4, 64, 'E', "hardware.md 3.3",
        "what a port gathers before it hands it to its DMA channel: a multiple of 4"}};
+  IntegerParameter timer_start{
+      this,
+      {"timer.start_sclk", "SCLK", 3, 0, 100, 'M', "ADSP-BF533 Hardware Reference, timers",
+       "from the write that enables a general-purpose timer to its first count"}};
+  IntegerParameter uart_input_gap{this,
+                                  {"uart.input_gap_sclk", "SCLK", 0, 0, 1e9, 'E', "none",
+                                   "pause between two characters that the UART receives"}};
 };
 
 }  // namespace finback::peripheral

@@ -133,6 +133,12 @@ std::optional<report::Accuracy> gather_accuracy(const scenes::FloatImage& truth,
   return accuracy;
 }
 
+scenes::FloatImage truth_of_last_map(const RunInputs& inputs, machine::Machine& machine) {
+  const std::vector<machine::PublishedMap>& maps = machine.host().maps();
+  return inputs.sequence && !maps.empty() ? inputs.sequence->truth(maps.back().frame_number)
+                                          : inputs.scene.truth;
+}
+
 }  // namespace
 
 report::RunResult gather_result(const RunInputs& inputs, const ir::Image& image,
@@ -142,12 +148,13 @@ report::RunResult gather_result(const RunInputs& inputs, const ir::Image& image,
   const machine::MachineDescription& description = *inputs.machine;
   const memory::MemorySystem& memory = machine.memory();
   report::RunResult result;
-  result.provenance = {FINBACK_VERSION,
-                       inputs.firmware.identity,
-                       inputs.firmware.placement,
-                       {description.name, machine_hash(description)},
-                       {inputs.power_name, power_hash(*inputs.power)},
-                       {inputs.scene.name, scene_hash(inputs.scene)}};
+  result.provenance = {
+      FINBACK_VERSION,
+      inputs.firmware.identity,
+      inputs.firmware.placement,
+      {description.name, machine_hash(description)},
+      {inputs.power_name, power_hash(*inputs.power)},
+      {inputs.scene.name, inputs.sequence ? inputs.sequence_hash : scene_hash(inputs.scene)}};
   result.core_hertz = description.clock.cclk_mhz * 1e6;
   result.system_hertz = description.clock.sclk_mhz * 1e6;
   result.cycles = end;
@@ -172,7 +179,7 @@ report::RunResult gather_result(const RunInputs& inputs, const ir::Image& image,
   gather_traffic(memory, result);
   gather_objects(memory, result);
   gather_regions(image, description.map, result);
-  result.accuracy = gather_accuracy(inputs.scene.truth, machine.host().maps());
+  result.accuracy = gather_accuracy(truth_of_last_map(inputs, machine), machine.host().maps());
   if (!result.frames.empty()) {  // a program that shows no maps has no rate to miss
     result.targets.push_back({"frames_per_second", ">=", kTargetFramesPerSecond,
                               report::frames_per_second(result.frames, result.core_hertz), "fps"});

@@ -179,6 +179,7 @@ RunInputs load_program(const ProgramRequest& request) {
     add_flat_memory(loaded.machine->map, request.memory_megabytes);
     loaded.firmware.firmware.placement = flat_placement();
   }
+  loaded.ports = request.ports;
   loaded.scene.name = "none";
   return loaded;
 }

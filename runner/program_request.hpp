@@ -27,6 +27,7 @@ struct ProgramRequest {
   std::string entry;                  // a symbol; "": found
   std::string machine;                // file; "": the BF561
   std::vector<std::string> settings;  // "memory.l2.read_cycles=9"
+  PortRequest ports;
   // Gets what .print and .warning say; may be empty.
   std::function<void(const std::string& message)> note;
 };

@@ -43,6 +43,14 @@ std::string complaint(const machine::StopInfo& stop, machine::HostPort& host, do
   return "";
 }
 
+machine::StereoFrame pair_of(const RunInputs& inputs, std::uint32_t number) {
+  if (!inputs.sequence) {
+    return {inputs.scene.left.pixels(), inputs.scene.right.pixels()};
+  }
+  const scenes::LumaPair& pair = inputs.sequence->pair(number);
+  return {pair.left.pixels(), pair.right.pixels()};
+}
+
 }  // namespace
 
 RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
@@ -50,7 +58,9 @@ RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
   ir::Image image = ir::link(units, inputs.firmware.firmware.placement, inputs.machine->map);
   machine::Machine machine(*inputs.machine, image);
   machine::HostPort& host = machine.host();
-  host.set_frames({{inputs.scene.left.pixels(), inputs.scene.right.pixels()}}, inputs.frames);
+  host.set_frames([&](std::uint32_t number) { return pair_of(inputs, number); }, inputs.frames);
+  PortFiles ports(inputs.ports, inputs.machine->clock.cclk_mhz);
+  ports.attach(machine);
   if (inputs.check_races) {
     machine.check_races();
   }
@@ -68,7 +78,7 @@ RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
       return observer.cancelled(now, static_cast<std::uint32_t>(host.maps().size()));
     };
   }
-  const machine::StopInfo stop = machine.run(limits);
+  const machine::StopInfo stop = run_with_ports(machine, limits, ports);
   RunOutcome outcome;
   if (stop.reason == machine::Stop::cancelled) {
     outcome.cancelled = true;

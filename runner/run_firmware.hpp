@@ -20,9 +20,12 @@
 #include <isa_sim/machine/host_port.hpp>
 #include <isa_sim/machine/machine_description.hpp>
 #include <isa_sim/machine/race_report.hpp>
+#include <peripheral_model/camera.hpp>
 #include <power_model/power_parameters.hpp>
 #include <report/run_result.hpp>
+#include <runner/port_files.hpp>
 #include <scenes/scene.hpp>
+#include <scenes/sequence.hpp>
 
 namespace finback::machine {
 class Machine;
@@ -49,6 +52,11 @@ struct RunInputs {
   std::shared_ptr<const power::PowerParameters> power = std::make_shared<power::PowerParameters>();
   std::string power_name = "default";
   scenes::Scene scene;
+  // What the cameras see over time, of which `scene` is the first pair; none: always `scene`.
+  std::shared_ptr<scenes::FrameSequence> sequence;
+  std::string sequence_hash;
+  std::array<std::vector<peripheral::FrameTrouble>, 2> camera_troubles;  // left, right
+  PortRequest ports;
   std::uint32_t frames = 1;
   bool check_races = false;  // slower
   // The run is given up as endless after so many cycles.

@@ -42,12 +42,14 @@ ProgramOutcome run_program(const RunInputs& inputs, ProgramRun run) {
   machine.host().set_console(
       [output = run.host.output](const std::string& line) { output(1, line + "\n"); });
   machine.serve_programs(std::move(run.host));
+  PortFiles ports(inputs.ports, inputs.machine->clock.cclk_mhz);
+  ports.attach(machine);
   if (run.ready) {
     run.ready(machine, image);
   }
   ProgramOutcome outcome;
   try {
-    outcome.stop = machine.run(run.limits);
+    outcome.stop = run_with_ports(machine, run.limits, ports);
   } catch (const GuestFault&) {
     if (run.registers) {
       run.registers(states_of(machine));

@@ -7,6 +7,7 @@
 #include <common/file.hpp>
 #include <power_model/power_file.hpp>
 #include <runner/find_machine.hpp>
+#include <runner/load_cameras.hpp>
 #include <runner/movables.hpp>
 #include <runner/run_request.hpp>
 
@@ -67,9 +68,13 @@ std::unique_ptr<machine::MachineDescription> load_machine(
 
 RunInputs load_inputs(const RunRequest& request) {
   RunInputs inputs;
-  inputs.scene = request.left.empty() ? scenes::load_scene(request.scene, share_folder() / "scenes")
-                                      : scenes::load_scene_pair(request.left, request.right);
+  load_scene(request, inputs);
+  inputs.camera_troubles = camera_troubles(request);
+  inputs.ports = request.ports;
   inputs.machine = load_machine(request.machine, request.settings);
+  if (request.camera_rate > 0) {
+    inputs.machine->set("camera.frame_rate", request.camera_rate);
+  }
   inputs.firmware = find_firmware(
       request.firmware,
       request.placement.empty() ? std::nullopt : std::optional<fs::path>(request.placement));

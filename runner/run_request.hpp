@@ -19,6 +19,13 @@ struct RunRequest {
   std::string scene = "aloe";
   std::string left;  // both or none: a pair instead of a scene
   std::string right;
+  std::string frames_from;           // "moving", a folder or a video instead of a scene
+  std::vector<double> distortion;    // k1, k2 of both lenses
+  std::vector<double> misalignment;  // of the right camera: degrees, right, down in pixels
+  std::vector<std::string> dropped;  // "12", "left:12": frames that a camera does not send
+  std::vector<std::string> late;     // "12:5", "right:12:5": frames, and milliseconds
+  double camera_rate = 0;            // frames a second; 0: the machine's camera.frame_rate
+  PortRequest ports;
   std::uint32_t frames = 4;  // 1 to kMostFrames
   std::string machine;       // as find_machine takes it; "": the BF561
   // Files; "": the firmware's own placement, default power.

@@ -36,7 +36,8 @@ struct Scene {
 
 // Frontal textured surfaces between disparities 6 and 34: a floor of five steps rising towards the
 // viewer, three boxes, one partly hidden by another, and a thin post. The same seed gives the
-// same bytes on every host; different seeds give different textures on the same shapes.
-[[nodiscard]] Scene make_synthetic_scene(std::uint32_t seed = 1);
+// same bytes on every host; different seeds give different textures on the same shapes. From one
+// `frame` to the next the boxes and the post move to the side, each at its own speed.
+[[nodiscard]] Scene make_synthetic_scene(std::uint32_t seed = 1, std::uint32_t frame = 0);
 
 }  // namespace finback::scenes

@@ -16,6 +16,7 @@ struct Surface {
   int right;
   int bottom;
   int disparity;  // pixels of 160x120
+  int speed = 0;  // VGA pixels a frame, of what moves
 
   [[nodiscard]] bool covers(int x, int y) const {
     return x >= left && x < right && y >= top && y < bottom;
@@ -25,15 +26,15 @@ struct Surface {
 // From near to far. The floor's steps reach far beyond the image on both sides, so that the right
 // view, which looks further to the right, sees no end of it.
 constexpr std::array<Surface, 9> kSurfaces = {{
-    {472, 64, 496, 400, 34},     // the post
-    {316, 200, 436, 360, 26},    // hides part of the next box
-    {200, 120, 356, 300, 20},    //
-    {512, 112, 616, 280, 15},    //
-    {-800, 400, 1440, 480, 14},  // the floor's nearest step
-    {-800, 320, 1440, 400, 12},  //
-    {-800, 240, 1440, 320, 10},  //
-    {-800, 160, 1440, 240, 8},   //
-    {-800, 0, 1440, 160, 6},     // and the wall behind it
+    {472, 64, 496, 400, 34, 4},    // the post
+    {316, 200, 436, 360, 26, 8},   // hides part of the next box
+    {200, 120, 356, 300, 20, -4},  //
+    {512, 112, 616, 280, 15, 2},   //
+    {-800, 400, 1440, 480, 14},    // the floor's nearest step
+    {-800, 320, 1440, 400, 12},    //
+    {-800, 240, 1440, 320, 10},    //
+    {-800, 160, 1440, 240, 8},     //
+    {-800, 0, 1440, 160, 6},       // and the wall behind it
 }};
 
 // A seeded hash with well mixed bits (the finaliser of MurmurHash3).
@@ -75,10 +76,18 @@ struct Sight {
   int disparity;
 };
 
-Sight look(std::uint32_t seed, int x, int y, int shift) {
+// How far a surface has moved in frame `frame`: to the side, back and to the other side.
+int moved(int speed, std::uint32_t frame) {
+  constexpr std::int64_t kFarthest = 96;
+  const std::int64_t way = (std::int64_t{speed} * frame % (4 * kFarthest) + 5 * kFarthest) %
+                           (4 * kFarthest);  // 0 at the left end
+  return static_cast<int>(way < 2 * kFarthest ? way - kFarthest : 3 * kFarthest - way);
+}
+
+Sight look(std::uint32_t seed, std::uint32_t frame, int x, int y, int shift) {
   std::uint32_t number = 0;
   for (const Surface& surface : kSurfaces) {
-    const int own_x = x + shift * kStep * surface.disparity;
+    const int own_x = x + shift * kStep * surface.disparity - moved(surface.speed, frame);
     if (surface.covers(own_x, y)) {
       return {texture(mix(seed * 64U + number), own_x, y), surface.disparity};
     }
@@ -89,14 +98,14 @@ Sight look(std::uint32_t seed, int x, int y, int shift) {
 
 }  // namespace
 
-Scene make_synthetic_scene(std::uint32_t seed) {
+Scene make_synthetic_scene(std::uint32_t seed, std::uint32_t frame) {
   Scene scene{"synthetic", ByteImage(kVgaWidth, kVgaHeight), ByteImage(kVgaWidth, kVgaHeight),
               FloatImage(kVgaWidth / kStep, kVgaHeight / kStep)};
   for (int y = 0; y < kVgaHeight; ++y) {
     for (int x = 0; x < kVgaWidth; ++x) {
-      const Sight left = look(seed, x, y, 0);
+      const Sight left = look(seed, frame, x, y, 0);
       scene.left.at(x, y) = static_cast<std::uint8_t>(left.brightness);
-      scene.right.at(x, y) = static_cast<std::uint8_t>(look(seed, x, y, 1).brightness);
+      scene.right.at(x, y) = static_cast<std::uint8_t>(look(seed, frame, x, y, 1).brightness);
       if (x % kStep == 0 && y % kStep == 0) {
         scene.truth.at(x / kStep, y / kStep) = static_cast<float>(left.disparity);
       }

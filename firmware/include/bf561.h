@@ -33,6 +33,7 @@ struct sic_registers {
 };
 
 /* Interrupt sources. */
+#define IRQ_DMA1_CHANNEL(channel) (11 + (channel)) /* 0: PPI0, 1: PPI1 */
 #define IRQ_MDMA1_STREAM(stream) (53 + (stream))
 #define IRQ_SUPPLEMENTAL_0 62
 
@@ -41,6 +42,10 @@ struct sic_registers {
 #define MDMA1_D0_BASE 0xFFC01F00u
 #define MDMA1_S0_BASE 0xFFC01F40u
 #define MDMA1_STREAM_STRIDE 0x80u
+
+/* The controller's channels for peripherals. */
+#define DMA1_0_BASE 0xFFC01C00u
+#define DMA_CHANNEL_STRIDE 0x40u
 
 struct dma_registers {
   uint32_t next_desc_ptr;
@@ -68,10 +73,35 @@ struct dma_registers {
 /* IRQ_STATUS */
 #define DMA_DONE 0x0001u
 
+/* --- parallel ports: PPI0 and PPI1 --- */
+
+#define PPI0_BASE 0xFFC01000u
+#define PPI_STRIDE 0x300u
+
+struct ppi_registers {
+  uint16_t control, reserved_02;
+  uint16_t status, reserved_06; /* written as 1 to clear */
+  uint16_t count, reserved_0a;  /* clocks that are taken of a line, less 1 */
+  uint16_t delay, reserved_0e;  /* clocks before them */
+  uint16_t frame, reserved_12;  /* lines */
+};
+
+/* CONTROL */
+#define PPI_EN 0x0001u
+#define PPI_SYNCS 0x000Cu     /* XFR_TYPE: frame syncs, not ITU-656 */
+#define PPI_TWO_SYNCS 0x0020u /* PORT_CFG: HREF and VSYNC */
+#define PPI_PACK_EN 0x0080u
+#define PPI_SKIP_EN 0x0200u
+
+/* STATUS */
+#define PPI_FT_ERR 0x0800u
+#define PPI_OVR 0x1000u
+
 /* --- the core's own event controller --- */
 
 #define EVT(ivg) BF561_REGISTER_32(0xFFE02000u + 4u * (ivg))
 #define EVT_IVG7 7
 #define EVT_IVG8 8
+#define EVT_IVG9 9
 
 #endif

@@ -352,6 +352,14 @@ void Core::set_requests(std::uint32_t ivg_lines, bool wake_line, Cycles at) {
   turn_.horizon = 0;
 }
 
+void Core::latch_request(int event, Cycles at) {
+  events_.raise(event);
+  if (sleeping_) {
+    wake(at);
+  }
+  turn_.horizon = 0;
+}
+
 void Core::wake(Cycles at) {
   settle(at);
   sleeping_ = false;

@@ -70,6 +70,8 @@ class Core {
   void shorten_turn(Cycles until);
   // Requests of the system interrupt controller, as of `at`; ends IDLE where they should.
   void set_requests(std::uint32_t ivg_lines, bool wake, Cycles at);
+  // A request from outside that stays until it is taken: a watchdog's NMI.
+  void latch_request(int event, Cycles at);
   // An actor while it sleeps: its timer may wake it. kNever when nothing of its own will.
   [[nodiscard]] Cycles next_event_time() const;
   void advance(Cycles now);

@@ -41,12 +41,22 @@ DeviceBus::DeviceBus(const MachineDescription& description, memory::MemorySystem
                interrupts_.set_line(kMdma2Stream0 + stream, level, at);
              }),
       imdma_(description.clock.cclk_mhz),
+      peripherals_(description,
+                   {.line = [this](int source, bool level,
+                                   Cycles at) { interrupts_.set_line(source, level, at); },
+                    .watchdog_line =
+                        [this](int core, bool level, Cycles at) {
+                          interrupts_.set_core_line(core, kWatchdog, level, at);
+                        }}),
       mappings_{{0xFFC00100, InterruptRegisters::kBytes, "SICA_", &sica_},
                 {0xFFC01100, InterruptRegisters::kBytes, "SICB_", &sicb_},
                 {0xFFC01F00, dma::MemoryDma::kRegisterBytes, "MDMA1_", &mdma1_},
                 {0xFFC00F00, dma::MemoryDma::kRegisterBytes, "MDMA2_", &mdma2_},
                 {0xFFC01800, dma::MemoryDma::kRegisterBytes, "IMDMA_", &imdma_},
-                {0xFFC0F000, HostPort::kRegisterBytes, "HOST_", &host_}} {}
+                {0xFFC0F000, HostPort::kRegisterBytes, "HOST_", &host_}} {
+  const std::vector<Mapping> more = peripherals_.mappings();
+  mappings_.insert(mappings_.end(), more.begin(), more.end());
+}
 
 const DeviceBus::Mapping* DeviceBus::find_mapping(Address address) const {
   const auto found = std::ranges::find_if(mappings_, [address](const Mapping& mapping) {

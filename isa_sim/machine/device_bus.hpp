@@ -1,10 +1,10 @@
 // The peripheral bus and everything on it: system registers from 0xFFC00000 to 0xFFDFFFFF.
 //
-// Models: MDMA1, MDMA2, IMDMA (registers only), SICA and SICB, the host port; reads that hold the
-// core, posted writes. A write takes effect at the time it is made, though the bus is busy with it
-// for a while; SSYNC waits for that. Does not model: PPI, timers, PLL, SPORT, SPI, UART, flags: an
-// access there is a GuestFault that names the nearest register there is. Source: hardware.md 1.6,
-// 3.1, 4.
+// Models: MDMA1, MDMA2, IMDMA (registers only), SICA and SICB, watchdogs, timers, flags, the UART,
+// the host port; reads that hold the core, posted writes. A write takes effect at the time it is
+// made, though the bus is busy with it for a while; SSYNC waits for that. Does not model: PPI, PLL,
+// SPORT, SPI: an access there is a GuestFault that names the nearest register there is. Source:
+// hardware.md 1.6, 3.1, 4.
 #pragma once
 
 #include <array>
@@ -17,6 +17,7 @@
 #include <dma_model/memory_dma.hpp>
 #include <isa_sim/machine/host_port.hpp>
 #include <isa_sim/machine/machine_description.hpp>
+#include <isa_sim/machine/peripherals.hpp>
 #include <isa_sim/machine/system_interrupts.hpp>
 #include <memory_model/memory_system.hpp>
 
@@ -58,15 +59,10 @@ class DeviceBus {
 
   [[nodiscard]] HostPort& host() { return host_; }
   [[nodiscard]] SystemInterrupts& interrupts() { return interrupts_; }
+  [[nodiscard]] Peripherals& peripherals() { return peripherals_; }
 
  private:
-  // Where a device's registers lie, and what stands before their names.
-  struct Mapping {
-    Address base = 0;
-    std::uint32_t size = 0;
-    const char* prefix = "";
-    Device* device = nullptr;
-  };
+  using Mapping = DeviceMapping;
 
   [[nodiscard]] const Mapping* find_mapping(Address address) const;
   [[nodiscard]] std::string nearest_register(Address address) const;
@@ -85,6 +81,7 @@ class DeviceBus {
   dma::MemoryDma mdma1_;
   dma::MemoryDma mdma2_;
   dma::InternalMemoryDma imdma_;
+  Peripherals peripherals_;
   std::vector<Mapping> mappings_;
 };
 

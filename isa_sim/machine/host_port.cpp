@@ -11,6 +11,14 @@ namespace {
 
 constexpr std::uint32_t kFrameBytes = kFrameWidth * kFrameHeight;
 
+void check_size(const StereoFrame& frame, std::size_t number) {
+  if (frame.left.size() != kFrameBytes || frame.right.size() != kFrameBytes) {
+    throw InputError(fmt::format(
+        "host port: frame {} has {} and {} bytes instead of {}x{} luma, {} each", number,
+        frame.left.size(), frame.right.size(), kFrameWidth, kFrameHeight, kFrameBytes));
+  }
+}
+
 }  // namespace
 
 const DeviceRegister* HostPort::find_register(std::uint32_t offset) const {
@@ -28,19 +36,20 @@ const DeviceRegister* HostPort::find_register(std::uint32_t offset) const {
   return finback::find_register(kRegisters, offset);
 }
 
+void HostPort::set_frames(Frames frames, std::uint32_t count) {
+  frames_ = std::move(frames);
+  frame_count_ = count;
+}
+
 void HostPort::set_frames(std::vector<StereoFrame> frames, std::uint32_t count) {
   if (frames.empty() && count > 0) {
     throw InputError("host port: there are no frames to grab");
   }
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (frames[i].left.size() != kFrameBytes || frames[i].right.size() != kFrameBytes) {
-      throw InputError(fmt::format(
-          "host port: frame {} has {} and {} bytes instead of {}x{} luma, {} each", i,
-          frames[i].left.size(), frames[i].right.size(), kFrameWidth, kFrameHeight, kFrameBytes));
-    }
+    check_size(frames[i], i);
   }
-  frames_ = std::move(frames);
-  frame_count_ = count;
+  set_frames([all = std::move(frames)](std::uint32_t number) { return all[number % all.size()]; },
+             count);
 }
 
 std::uint32_t HostPort::read(std::uint32_t offset, int /*bytes*/, Cycles /*now*/) {
@@ -110,7 +119,8 @@ void HostPort::grab(std::uint32_t value, Cycles now) {
         "HOST_FRAME_GRAB: all {} frames were grabbed; firmware must look at HOST_FRAMES_LEFT first",
         frame_count_));
   }
-  const StereoFrame& frame = frames_[frames_grabbed() % frames_.size()];
+  const StereoFrame frame = frames_(frames_grabbed());
+  check_size(frame, frames_grabbed());
   fill(left_address_, frame.left, "FRAME_LEFT_ADDRESS");
   fill(right_address_, frame.right, "FRAME_RIGHT_ADDRESS");
   grabbed_at_.push_back(now);

@@ -55,8 +55,12 @@ class HostPort final : public Device {
   explicit HostPort(memory::MemorySystem& memory) : memory_(memory) {}
 
   // --- the host's side ---
-  // The firmware can grab `count` pairs; they are `frames` in turn, again from the first when
-  // `count` is larger. Throws InputError when `frames` is empty or an image has another size.
+  // The pair of a number, from 0. Called once a grab.
+  using Frames = std::function<StereoFrame(std::uint32_t number)>;
+  // The firmware can grab `count` pairs.
+  void set_frames(Frames frames, std::uint32_t count);
+  // The same from `frames` in turn, again from the first when `count` is larger. Throws InputError
+  // when `frames` is empty or an image has another size.
   void set_frames(std::vector<StereoFrame> frames, std::uint32_t count);
   [[nodiscard]] const std::vector<PublishedMap>& maps() const { return maps_; }
   [[nodiscard]] std::uint32_t frames_grabbed() const {
@@ -94,7 +98,7 @@ class HostPort final : public Device {
   void print(char character);
 
   memory::MemorySystem& memory_;
-  std::vector<StereoFrame> frames_;
+  Frames frames_;
   std::uint32_t frame_count_ = 0;
   std::vector<Cycles> grabbed_at_;
   std::uint32_t left_address_ = 0;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <optional>
 #include <vector>
 
@@ -85,6 +86,17 @@ class Machine::Implementation final : public core::SystemPort {
       exit_ = StopInfo{Stop::exited, status, at, {}};
       running_->shorten_turn(0);
     });
+    bus_.peripherals().set_watchdog_events(
+        {.reset =
+             [this](int core, Cycles at) {
+               bus_.host().flush_line();
+               exit_ = StopInfo{Stop::exited, 1, at,
+                                fmt::format("watchdog {} reset the chip: nothing wrote WDOG{}_STAT "
+                                            "in time",
+                                            core == 0 ? 'A' : 'B', core == 0 ? 'A' : 'B')};
+             },
+         .non_maskable =
+             [this](int core, Cycles at) { core_at(core).latch_request(core::kNonMaskable, at); }});
     core_at(0).start(
         0, begin == Begin::reset
                ? core::Core::Start{core::EventController::kAfterReset, core::kConfigAfterReset}
@@ -208,6 +220,7 @@ class Machine::Implementation final : public core::SystemPort {
   }
 
   HostPort& host() { return bus_.host(); }
+  Peripherals& peripherals() { return bus_.peripherals(); }
   memory::MemorySystem& memory() { return memory_; }
   [[nodiscard]] const CounterRegistry& counters() const { return counters_; }
 
@@ -285,6 +298,7 @@ void Machine::serve_programs(ProgramHostOptions options) {
   implementation_->serve_programs(std::move(options));
 }
 HostPort& Machine::host() { return implementation_->host(); }
+Peripherals& Machine::peripherals() { return implementation_->peripherals(); }
 memory::MemorySystem& Machine::memory() { return implementation_->memory(); }
 void Machine::trace(CoreId core, core::TraceSink sink) {
   implementation_->core_at(static_cast<int>(core)).trace(std::move(sink));

@@ -1,6 +1,6 @@
 // The whole machine: two cores, memories, DMA, interrupts and the host port, run in time order.
 //
-// Models: actors (core A, core B, DMA streams) ordered by (time, number). A core runs ahead on its
+// Models: actors (core A, core B, devices) ordered by (time, number). A core runs ahead on its
 // own L1 memory; at the first access that others can see it waits until everybody has reached that
 // time, so that results do not depend on the host. Does not model yet: caches, cameras on the PPIs,
 // power modes, changes of clock (docs/architecture.md).
@@ -29,6 +29,7 @@ namespace finback::machine {
 
 class HostPort;
 struct RaceReport;
+class Peripherals;
 struct ProgramHostOptions;
 struct MachineDescription;
 
@@ -70,6 +71,7 @@ class Machine {
   Machine& operator=(const Machine&) = delete;
 
   [[nodiscard]] HostPort& host();
+  [[nodiscard]] Peripherals& peripherals();
   // Serves the programs' EXCPT 0 and gets what they print by debug instructions (which is lines of
   // the host port's console otherwise).
   void serve_programs(ProgramHostOptions options);

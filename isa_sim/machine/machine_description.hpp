@@ -17,6 +17,8 @@
 #include <memory_model/clock_parameters.hpp>
 #include <memory_model/memory_map.hpp>
 #include <memory_model/memory_parameters.hpp>
+#include <peripheral_model/camera_parameters.hpp>
+#include <peripheral_model/peripheral_parameters.hpp>
 
 namespace finback::machine {
 
@@ -27,6 +29,8 @@ struct MachineDescription {
   memory::MemoryParameters memory;
   dma::DmaParameters dma;
   DeviceParameters devices;
+  peripheral::PeripheralParameters peripherals;
+  peripheral::CameraParameters camera;
   core::CoreParameters core;
 
   // All parameters, group by group, in the order of their declaration.

@@ -183,6 +183,10 @@ void SystemInterrupts::write_intercore(std::uint32_t value, Cycles now) {
   }
 }
 
+void SystemInterrupts::set_core_line(int core, int source, bool level, Cycles now) {
+  set(core, source, level, now, peripheral_latency_);
+}
+
 void SystemInterrupts::set_line(int source, bool level, Cycles now) {
   for (int core = 0; core < kCoreCount; ++core) {
     set(core, source, level, now, peripheral_latency_);

@@ -21,10 +21,16 @@ namespace finback::machine {
 
 // Numbers of the sources that the machine has.
 enum InterruptSource : int {
+  kUartError = 9,
+  kUartReceive = 28,
+  kUartTransmit = 29,
+  kTimer0 = 35,   // to 46, TIMER11
+  kFlags0A = 47,  // FIO0's A and B, FIO1's, FIO2's
   kMdma1Stream0 = 53,
   kMdma1Stream1 = 54,
   kMdma2Stream0 = 55,
   kMdma2Stream1 = 56,
+  kWatchdog = 59,  // of each core its own
   kSupplemental0 = 62,
   kSupplemental1 = 63,
 };
@@ -49,6 +55,8 @@ class SystemInterrupts {
 
   // A peripheral's line, seen by both cores' controllers.
   void set_line(int source, bool level, Cycles now);
+  // One that only `core` sees.
+  void set_core_line(int core, int source, bool level, Cycles now);
 
   // Told of lines that are raised and seen, from now on.
   void set_observer(memory::AccessObserver* observer) { observer_ = observer; }
