@@ -58,7 +58,8 @@ RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
   ir::Image image = ir::link(units, inputs.firmware.firmware.placement, inputs.machine->map);
   machine::Machine machine(*inputs.machine, image);
   machine::HostPort& host = machine.host();
-  host.set_frames([&](std::uint32_t number) { return pair_of(inputs, number); }, inputs.frames);
+  host.set_frame_source([&](std::uint32_t number) { return pair_of(inputs, number); },
+                        inputs.frames);
   PortFiles ports(inputs.ports, inputs.machine->clock.cclk_mhz);
   ports.attach(machine);
   if (inputs.check_races) {

@@ -47,4 +47,9 @@ echo "setup: installing ${#missing[@]} of ${#packages[@]} packages: ${missing[*]
 "${as_root[@]}" apt-get update --quiet
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
   apt-get install --yes --quiet --no-install-recommends "${missing[@]}"
+# Videos as sources of frames: many packages behind one, and everything else works without.
+if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install --yes --quiet --no-install-recommends libopencv-videoio-dev; then
+  echo "setup: without libopencv-videoio-dev: finback will read no videos" >&2
+fi
 echo "setup: done"

@@ -36,7 +36,7 @@ const DeviceRegister* HostPort::find_register(std::uint32_t offset) const {
   return finback::find_register(kRegisters, offset);
 }
 
-void HostPort::set_frames(Frames frames, std::uint32_t count) {
+void HostPort::set_frame_source(Frames frames, std::uint32_t count) {
   frames_ = std::move(frames);
   frame_count_ = count;
 }
@@ -48,8 +48,8 @@ void HostPort::set_frames(std::vector<StereoFrame> frames, std::uint32_t count) 
   for (std::size_t i = 0; i < frames.size(); ++i) {
     check_size(frames[i], i);
   }
-  set_frames([all = std::move(frames)](std::uint32_t number) { return all[number % all.size()]; },
-             count);
+  set_frame_source(
+      [all = std::move(frames)](std::uint32_t number) { return all[number % all.size()]; }, count);
 }
 
 std::uint32_t HostPort::read(std::uint32_t offset, int /*bytes*/, Cycles /*now*/) {

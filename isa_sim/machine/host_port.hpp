@@ -58,7 +58,7 @@ class HostPort final : public Device {
   // The pair of a number, from 0. Called once a grab.
   using Frames = std::function<StereoFrame(std::uint32_t number)>;
   // The firmware can grab `count` pairs.
-  void set_frames(Frames frames, std::uint32_t count);
+  void set_frame_source(Frames frames, std::uint32_t count);
   // The same from `frames` in turn, again from the first when `count` is larger. Throws InputError
   // when `frames` is empty or an image has another size.
   void set_frames(std::vector<StereoFrame> frames, std::uint32_t count);

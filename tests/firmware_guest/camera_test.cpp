@@ -38,7 +38,7 @@ class CaptureTest : public testing::Test {
     firmware_ = ir::load_firmware(FINBACK_CAPTURE "/firmware.toml");
     image_ = ir::link(firmware_.units, firmware_.placement, description_.map);
     machine_ = std::make_unique<machine::Machine>(description_, image_);
-    machine_->host().set_frames(machine::HostPort::Frames(), frames);
+    machine_->host().set_frame_source({}, frames);
     for (const Camera::Side side : {Camera::Side::left, Camera::Side::right}) {
       machine_->peripherals().connect_camera(
           side, [side](std::uint32_t number) { return picture_of(side, number); },
