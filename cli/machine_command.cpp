@@ -4,6 +4,7 @@
 
 #include <cli/commands.hpp>
 #include <isa_sim/machine/machine_description.hpp>
+#include <isa_sim/machine/registers_page.hpp>
 #include <power_model/power_parameters.hpp>
 #include <runner/run_request.hpp>
 
@@ -26,6 +27,11 @@ int print_power_parameters() {
 
 int print_machine_parameters() {
   fmt::print("{}", machine::parameters_as_markdown());
+  return kFine;
+}
+
+int print_registers() {
+  fmt::print("{}", machine::registers_as_markdown());
   return kFine;
 }
 
@@ -76,12 +82,16 @@ void add_machine_command(CLI::App& app, Action& action) {
       "Installed machine, or machine file: its map and what differs from the BF561");
   auto power = std::make_shared<bool>(false);
   command->add_flag("--power", *power, "Print the power model's parameters instead");
+  auto registers = std::make_shared<bool>(false);
+  command->add_flag("--registers", *registers, "Print the device registers instead");
   command->footer(
       "Examples:\n  finback machine | less\n  finback machine half_l1\n"
       "To change some: docs/machine-file.md, docs/power.md.");
-  command->callback([&action, power, name] {
+  command->callback([&action, power, registers, name] {
     if (*power) {
       action = print_power_parameters;
+    } else if (*registers) {
+      action = print_registers;
     } else if (name->empty()) {
       action = print_machine_parameters;
     } else {

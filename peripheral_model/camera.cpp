@@ -74,8 +74,9 @@ std::uint32_t Camera::picture_clock() const {
 
 // 32 bits from a well mixed hash (the finaliser of MurmurHash3).
 std::uint32_t Camera::chance(std::uint32_t number, std::uint32_t what) const {
-  std::uint64_t value = (std::uint64_t{seed_} << 32U) ^
-                        (std::uint64_t{number} * 8 + what * 2 + (side_ == Side::right ? 1 : 0));
+  std::uint64_t value =
+      (std::uint64_t{seed_} << 32U) ^
+      (std::uint64_t{number} * 8 + std::uint64_t{what} * 2 + (side_ == Side::right ? 1 : 0));
   value ^= value >> 33U;
   value *= 0xFF51AFD7ED558CCDU;
   value ^= value >> 33U;

@@ -23,7 +23,7 @@ enum ControlBit : std::uint32_t {
 };
 constexpr std::uint32_t transfer_type(std::uint32_t control) { return control >> 2U & 3U; }
 constexpr std::uint32_t port_configuration(std::uint32_t control) { return control >> 4U & 3U; }
-constexpr std::uint32_t kItuPixels = 0, kItuAll = 1, kItuBlanking = 2, kSyncs = 3;
+constexpr std::uint32_t kItuAll = 1, kItuBlanking = 2, kSyncs = 3;
 constexpr std::uint32_t kOneSync = 0, kTwoSyncs = 2;
 bool wide_samples(std::uint32_t control) { return (control >> 11U & 7U) != 0; }  // DLEN above 8
 

@@ -57,6 +57,9 @@ class DeviceBus {
   // The name of the register at `address`, "" when there is none: "SICA_IMASK0", "MDMA1_D0_CONFIG".
   [[nodiscard]] std::string register_name(Address address) const;
 
+  // All devices, in the order in which they act on equal times.
+  [[nodiscard]] const std::vector<DeviceMapping>& mappings() const { return mappings_; }
+
   [[nodiscard]] HostPort& host() { return host_; }
   [[nodiscard]] SystemInterrupts& interrupts() { return interrupts_; }
   [[nodiscard]] Peripherals& peripherals() { return peripherals_; }

@@ -7,6 +7,7 @@
 #include <common/error.hpp>
 #include <common/file.hpp>
 #include <isa_sim/machine/machine_description.hpp>
+#include <isa_sim/machine/registers_page.hpp>
 
 namespace finback::machine {
 namespace {
@@ -50,6 +51,11 @@ TEST(MachineFile, TheManualsPageOfParametersIsTheGeneratedOne) {
     ASSERT_EQ(line, wanted) << "write it anew: finback machine > docs/machine-parameters.md";
   }
   EXPECT_FALSE(std::getline(page, line)) << line;
+}
+
+TEST(MachineFile, TheManualsPageOfRegistersIsTheGeneratedOne) {
+  EXPECT_EQ(read_text_file(kSource / "docs" / "registers.md"), registers_as_markdown())
+      << "write it anew: finback machine --registers > docs/registers.md";
 }
 
 TEST(MachineFile, EveryParameterCanBeSetByFileAndByName) {
