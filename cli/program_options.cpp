@@ -88,7 +88,8 @@ std::vector<CLI::Option*> add_program_options(CLI::App& command, ProgramOptions&
 }
 
 void add_program_machine(CLI::App& command, ProgramOptions& options) {
-  command.add_option("--machine", options.machine, "Installed machine, or machine file (TOML), instead of the BF561");
+  command.add_option("--machine", options.machine,
+                     "Installed machine, or machine file (TOML), instead of the BF561");
   command
       .add_option("--set", options.settings,
                   "One machine parameter, e.g. memory.l2.read_cycles=9; repeatable")

@@ -154,8 +154,8 @@ TEST_F(PeripheralsTest, TheUartEchoesWhatItGets) {
 TEST_F(PeripheralsTest, AFaultOfADeviceNamesTheInstruction) {
   load(store(0xFFC00600, 2, 2) + "HLT;");
   EXPECT_THAT([&] { run(); },
-              ThrowsMessage<GuestFault>(
-                  testing::AllOf(HasSubstr("TIMER0_CONFIG = 0x2: WDTH_CAP"), HasSubstr("core_a in start"))));
+              ThrowsMessage<GuestFault>(testing::AllOf(HasSubstr("TIMER0_CONFIG = 0x2: WDTH_CAP"),
+                                                       HasSubstr("core_a in start"))));
 }
 
 }  // namespace
