@@ -15,6 +15,7 @@
 #include "../middle/AbsoluteDifferences.hpp"
 #include "../middle/NarrowProducts.hpp"
 #include "../middle/Products.hpp"
+#include "../middle/SaturatedShifts.hpp"
 #include "../target/Bfin.hpp"
 #include "../target/BfinAsmPrinter.hpp"
 #include "../target/BfinMCTargetDesc.hpp"
@@ -164,8 +165,12 @@ void run_middle_end(Module& module, TargetMachine& machine, char level) {
           passes.addPass(ProductsPass());
       });
   builder.registerOptimizerLastEPCallback([](ModulePassManager& passes, OptimizationLevel target) {
-    if (target != OptimizationLevel::O0)
-      passes.addPass(createModuleToFunctionPassAdaptor(NarrowProductsPass()));
+    if (target == OptimizationLevel::O0)
+      return;
+    FunctionPassManager each;
+    each.addPass(NarrowProductsPass());
+    each.addPass(SaturatedShiftsPass());
+    passes.addPass(createModuleToFunctionPassAdaptor(std::move(each)));
   });
   OptimizationLevel target = middle_end_level(level);
   ModulePassManager passes = target == OptimizationLevel::O0

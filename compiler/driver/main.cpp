@@ -41,7 +41,8 @@ void initialize_llvm(const Options& options) {
   llvm::initializeLoopStrengthReducePass(registry);
   llvm::initializeHardwareLoopsLegacyPass(registry);
   llvm::initializeBfinTarget();
-  std::vector<const char*> arguments = {"finback-cc"};
+  // A nest with its sums of products two at a time is larger than the default allows.
+  std::vector<const char*> arguments = {"finback-cc", "-unswitch-threshold=200"};
   if (options.verify)
     arguments.push_back("-verify-machineinstrs");
   llvm::cl::ParseCommandLineOptions(static_cast<int>(arguments.size()), arguments.data());

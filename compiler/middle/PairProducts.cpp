@@ -113,8 +113,11 @@ class Writer {
   }
   Value* expand(const SCEV* value);
   void add_product(Value*& sum, Value* a, Value* b) {
-    sum = call_named(builder_, "sum", {sum, builder_.CreateMul(a, b, "", false, true)});
+    Value* product = builder_.CreateNSWMul(a, b);
+    sum = call_named(builder_, sums_are_cs() ? "sum_fits" : "sum", {sum, product});
   }
+  [[nodiscard]] bool must_fit() const;
+  [[nodiscard]] bool sums_are_cs() const;
   [[nodiscard]] uint32_t most_rounds() const;
 
   const PairPlan& plan_;
@@ -320,13 +323,26 @@ Writer::State Writer::write_odd_round(const State& state, Value* rounds) {
   return result;
 }
 
+/// C's own sums, which must not overflow, are those of columns and sliding windows.
+bool Writer::must_fit() const {
+  return plan_.pairing != Pairing::kLanes && all_of(plan_.products.sums, [](const ProductSum& sum) {
+           return sum.next->hasNoSignedWrap();
+         });
+}
+
+/// Whether the sums are C's in each round, too: they begin with zero, as ours do.
+bool Writer::sums_are_cs() const {
+  return must_fit() && all_of(plan_.products.sums, [](const ProductSum& sum) {
+           const auto* start = dyn_cast<ConstantInt>(sum.start());
+           return start != nullptr && start->isZero();
+         });
+}
+
 /// In one piece; 0: any number.
 uint32_t Writer::most_rounds() const {
-  if (plan_.pairing == Pairing::kLanes)
-    return kMostProducts;
-  const bool must_fit = all_of(plan_.products.sums,
-                               [](const ProductSum& sum) { return sum.next->hasNoSignedWrap(); });
-  return must_fit ? 0 : kMostProducts / 2;
+  if (must_fit())
+    return 0;
+  return plan_.pairing == Pairing::kLanes ? kMostProducts : kMostProducts / 2;
 }
 
 PairedSums Writer::write() {

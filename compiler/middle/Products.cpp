@@ -1,6 +1,9 @@
 #include "Products.hpp"
 
 #include <llvm/IR/IRBuilder.h>
+#include <llvm/Transforms/Scalar/IndVarSimplify.h>
+#include <llvm/Transforms/Scalar/LoopPassManager.h>
+#include <llvm/Transforms/Scalar/SimpleLoopUnswitch.h>
 #include <llvm/Transforms/Utils/BasicBlockUtils.h>
 #include <llvm/Transforms/Utils/LoopSimplify.h>
 #include <llvm/Transforms/Utils/LoopUtils.h>
@@ -124,6 +127,22 @@ bool visit_one(Function& function, FunctionAnalysisManager& manager, Heads& done
   return false;
 }
 
+/// Is a word aligned, is a count odd? What all rounds of a loop answer alike is asked in front of
+/// it.
+void ask_once(Function& function, FunctionAnalysisManager& manager) {
+  for (Loop* loop : manager.getResult<LoopAnalysis>(function).getLoopsInPreorder())
+    for (BasicBlock* block : loop->blocks())
+      if (auto* branch = dyn_cast<BranchInst>(block->getTerminator());
+          branch != nullptr && branch->isConditional()) {
+        bool moved = false;
+        loop->makeLoopInvariant(branch->getCondition(), moved);
+      }
+  LoopPassManager passes;
+  passes.addPass(SimpleLoopUnswitchPass(/*NonTrivial=*/true));
+  passes.addPass(IndVarSimplifyPass());  // counts that only code behind the loop wants
+  createFunctionToLoopPassAdaptor(std::move(passes)).run(function, manager);
+}
+
 }  // namespace
 
 PreservedAnalyses ProductsPass::run(Function& function, FunctionAnalysisManager& manager) {
@@ -131,8 +150,14 @@ PreservedAnalyses ProductsPass::run(Function& function, FunctionAnalysisManager&
       manager.getResult<LoopAnalysis>(function).empty())
     return PreservedAnalyses::all();
   Heads done;
-  while (visit_one(function, manager, done))
+  const bool nested = any_of(manager.getResult<LoopAnalysis>(function).getLoopsInPreorder(),
+                             [](const Loop* loop) { return loop->getLoopDepth() > 1; });
+  bool changed = false;
+  for (; visit_one(function, manager, done); changed = true)
     manager.invalidate(function, PreservedAnalyses::none());
+  manager.invalidate(function, PreservedAnalyses::none());
+  if (changed && nested)
+    ask_once(function, manager);
   return PreservedAnalyses::none();
 }
 

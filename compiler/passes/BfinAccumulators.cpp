@@ -4,8 +4,8 @@
 // products.
 //
 // The accumulators have 40 bits and saturate, C's sums have 32 and wrap: only sums are taken that
-// must not overflow (nsw), or whose maker knows that 40 bits hold them (SUM_X). Handlers of
-// interrupts do without: they would have to save the accumulators.
+// must not overflow (nsw), or whose maker knows that 40 bits hold them (SUM_X), or 32 (SUMFITS_X).
+// Handlers of interrupts do without: they would have to save the accumulators.
 #include <llvm/CodeGen/MachineFunctionPass.h>
 #include <llvm/CodeGen/MachineInstrBuilder.h>
 #include <llvm/CodeGen/MachineRegisterInfo.h>
@@ -112,8 +112,9 @@ bool BfinAccumulators::collect(Register reg, bool taken_off, Sum& sum) const {
     sum.products.push_back({&inst, taken_off});
     return true;
   }
-  const bool is_sum = opcode == Bfin::SUM_X || ((opcode == Bfin::ADD_X || opcode == Bfin::SUB_X) &&
-                                                inst.getFlag(MachineInstr::NoSWrap));
+  const bool is_sum =
+      opcode == Bfin::SUM_X || opcode == Bfin::SUMFITS_X ||
+      ((opcode == Bfin::ADD_X || opcode == Bfin::SUB_X) && inst.getFlag(MachineInstr::NoSWrap));
   if (!is_sum)
     return false;
   sum.adds.push_back(&inst);
@@ -150,8 +151,11 @@ void BfinAccumulators::fetch(Sum& sum, const Accumulator& accumulator, const Loo
   regs_->clearKillFlags(result);
   if (!sum.used_within) {
     regs_->setRegClass(result, &Bfin::DRegClass);
-    BuildMI(*loop.after, loop.after->getFirstNonPHI(), last.getDebugLoc(),
-            tii_->get(accumulator.get), result);
+    auto get = BuildMI(*loop.after, loop.after->getFirstNonPHI(), last.getDebugLoc(),
+                       tii_->get(accumulator.get), result);
+    // BfinFetches may let it saturate.
+    if (none_of(sum.adds, [](const MachineInstr* add) { return add->getOpcode() == Bfin::SUM_X; }))
+      get->setFlag(MachineInstr::NoSWrap);
     return;
   }
   const Product product = sum.products.back();
@@ -269,7 +273,7 @@ bool BfinAccumulators::visit(Loop& loop) {
 void BfinAccumulators::plain_sums(MachineFunction& function) {
   for (MachineBasicBlock& block : function)
     for (MachineInstr& inst : block)
-      if (inst.getOpcode() == Bfin::SUM_X)
+      if (inst.getOpcode() == Bfin::SUM_X || inst.getOpcode() == Bfin::SUMFITS_X)
         inst.setDesc(tii_->get(Bfin::ADD_X));
 }
 

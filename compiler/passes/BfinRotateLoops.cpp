@@ -78,7 +78,7 @@ class BfinRotateLoops : public MachineFunctionPass {
   MachineBasicBlock* make_last(const Loop& loop, const Registers& first, const Registers& next,
                                const Registers& found);
   Register outside(MachineBasicBlock& last, Register value);
-  void forget_address(MachineInstr& access);
+  void forget_address(MachineInstr& access, const LoopScopes& scopes);
   void replace(MachineOperand& use, Register value);
   void clone(const MachineInstr& inst, MachineBasicBlock& block, Registers& values);
   Register incoming(const MachineInstr& phi, const MachineBasicBlock& from) const;
@@ -278,7 +278,10 @@ void BfinRotateLoops::count_one_less(Loop& loop, MachineBasicBlock* last) {
   MachineOperand& count = loop.setup->getOperand(1);
   const Register less = regs_->createVirtualRegister(&Bfin::PRegClass);
   const bool twice = runs_twice(loop);
-  BuildMI(before, loop.setup, loc, tii_->get(Bfin::ADDI), less).addReg(count.getReg()).addImm(-1);
+  if (const std::optional<int64_t> known = passes(loop))
+    tii_->buildConstant(before, loop.setup, loc, less, *known - 1);
+  else
+    BuildMI(before, loop.setup, loc, tii_->get(Bfin::ADDI), less).addReg(count.getReg()).addImm(-1);
   regs_->clearKillFlags(count.getReg());
   count.setReg(less);
   count.setIsKill(false);
@@ -352,10 +355,10 @@ MachineBasicBlock* BfinRotateLoops::make_last(const Loop& loop, const Registers&
 }
 
 /// What is known of an access's address is known of the pass that it was in, not of the next.
-void BfinRotateLoops::forget_address(MachineInstr& access) {
+void BfinRotateLoops::forget_address(MachineInstr& access, const LoopScopes& scopes) {
   SmallVector<MachineMemOperand*, 1> places;
   for (const MachineMemOperand* place : access.memoperands())
-    places.push_back(in_any_pass(*function_, *place));
+    places.push_back(in_any_pass(*function_, *place, scopes));
   access.setMemRefs(*function_, places);
 }
 
@@ -363,8 +366,9 @@ void BfinRotateLoops::rotate(Loop& loop) {
   MachineBasicBlock& block = *loop.block;
   for (const IndexStream& stream : loop.streams)
     use_index_register(stream, *loop.before, *tii_);
+  const LoopScopes scopes(block);
   for (MachineInstr* inst : loop.first)
-    forget_address(*inst);
+    forget_address(*inst, scopes);
   const Registers first = begin_before(loop);
 
   // What the first stage found lives until the second one, in the next round of the loop.

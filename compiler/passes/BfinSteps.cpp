@@ -66,7 +66,9 @@ class BfinSteps : public MachineFunctionPass {
 
  private:
   bool run_on_loop(MachineBasicBlock& block, MachineBasicBlock& before);
+  bool step_in_straight_code(MachineBasicBlock& block);
   bool find(MachineInstr& phi, Pointer& pointer) const;
+  bool find_accesses(Pointer& pointer) const;
   static bool split(std::vector<MachineInstr*> accesses, int64_t step, std::vector<Run>& runs);
   bool put_in_order(const Run& run) const;
   bool may_pass(const MachineInstr& moved, const MachineInstr& other) const;
@@ -85,12 +87,17 @@ char BfinSteps::ID = 0;
 
 bool BfinSteps::find(MachineInstr& phi, Pointer& pointer) const {
   const MachineBasicBlock& block = *phi.getParent();
-  const Register value = phi.getOperand(0).getReg();
   pointer.phi = &phi;
   pointer.step = regs_->getVRegDef(phi.getOperand(incoming_operand(phi, block)).getReg());
-  if (pointer.step->getParent() != &block || pointer.step->getOpcode() != Bfin::ADDI ||
-      pointer.step->getOperand(1).getReg() != value || pointer.step->getOperand(2).getImm() <= 0)
-    return false;
+  return pointer.step->getParent() == &block && pointer.step->getOpcode() == Bfin::ADDI &&
+         pointer.step->getOperand(1).getReg() == phi.getOperand(0).getReg() &&
+         pointer.step->getOperand(2).getImm() > 0 && find_accesses(pointer);
+}
+
+/// The runs of the pointer that is stepped, in the block of its step.
+bool BfinSteps::find_accesses(Pointer& pointer) const {
+  const MachineBasicBlock& block = *pointer.step->getParent();
+  const Register value = pointer.step->getOperand(1).getReg();
   std::vector<MachineInstr*> accesses;
   for (MachineInstr& use : regs_->use_nodbg_instructions(value)) {
     if (&use == pointer.step)
@@ -105,7 +112,7 @@ bool BfinSteps::find(MachineInstr& phi, Pointer& pointer) const {
   // Behind the loop the stepped pointer may be of use; within it only for the next pass.
   for (const MachineInstr& use :
        regs_->use_nodbg_instructions(pointer.step->getOperand(0).getReg()))
-    if (use.getParent() == &block && &use != &phi)
+    if (use.getParent() == &block && &use != pointer.phi)
       return false;
   for (const Register reg : {value, pointer.step->getOperand(0).getReg()})
     if (regs_->getRegClass(reg) == &Bfin::DRegClass)
@@ -289,14 +296,39 @@ bool BfinSteps::run_on_loop(MachineBasicBlock& block, MachineBasicBlock& before)
   return changed;
 }
 
+/// Where a pointer of an outer loop is stepped, behind all of its accesses.
+bool BfinSteps::step_in_straight_code(MachineBasicBlock& block) {
+  std::vector<MachineInstr*> steps;
+  for (MachineInstr& inst : block)
+    if (inst.getOpcode() == Bfin::ADDI && inst.getOperand(2).getImm() > 0 &&
+        inst.getOperand(1).getReg().isVirtual())
+      steps.push_back(&inst);
+  bool changed = false;
+  for (MachineInstr* inst : steps) {
+    Pointer pointer;
+    pointer.step = inst;
+    if (!find_accesses(pointer) || pointer.runs.size() != 1 || own_run(pointer) == nullptr ||
+        !put_in_order(pointer.runs.front()))
+      continue;
+    const Register from = inst->getOperand(1).getReg();
+    const Register next = inst->getOperand(0).getReg();
+    inst->eraseFromParent();
+    step(pointer.runs.front(), from, next);
+    changed = true;
+  }
+  return changed;
+}
+
 bool BfinSteps::runOnMachineFunction(MachineFunction& function) {
   regs_ = &function.getRegInfo();
   tii_ = function.getSubtarget<BfinSubtarget>().getInstrInfo();
   aliases_ = &getAnalysis<AAResultsWrapperPass>().getAAResults();
   bool changed = false;
   for (MachineBasicBlock& block : function) {
-    if (!block.isSuccessor(&block) || block.pred_size() != 2)
+    if (!block.isSuccessor(&block) || block.pred_size() != 2) {
+      changed |= step_in_straight_code(block);
       continue;
+    }
     MachineBasicBlock& before = **find_if(
         block.predecessors(), [&](const MachineBasicBlock* other) { return other != &block; });
     changed |= run_on_loop(block, before);

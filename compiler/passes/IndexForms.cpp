@@ -57,6 +57,7 @@ bool reads_upper_half(const MachineInstr& inst, unsigned index) {
     case Bfin::MACGET0:
     case Bfin::MACGET1:
     case Bfin::MACMAC:
+    case Bfin::MACGETS:
       return inst.getOperand(index + 1).getImm() != 0;
     case Bfin::PACKLO:
       return index == 1;

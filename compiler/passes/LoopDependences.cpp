@@ -61,7 +61,7 @@ Register incoming(const MachineInstr& phi, const MachineBasicBlock& from) {
 }  // namespace
 
 LoopDependences::LoopDependences(MachineBasicBlock& block, AAResults& aliases)
-    : block_(block), regs_(block.getParent()->getRegInfo()), aliases_(aliases) {
+    : block_(block), regs_(block.getParent()->getRegInfo()), aliases_(aliases), scopes_(block) {
   for (MachineInstr& inst : block) {
     if (inst.isPHI() || inst.isTerminator() || inst.isDebugInstr())
       continue;
@@ -183,7 +183,14 @@ bool LoopDependences::may_meet(size_t first, size_t second, bool next_pass) cons
   if (!next_pass)
     return a.mayAlias(&aliases_, b, /*UseTBAA=*/true);
   // Objects are the same in every pass, places within them are not.
-  return !block_.getParent()->getSubtarget().getInstrInfo()->areMemAccessesTriviallyDisjoint(a, b);
+  if (block_.getParent()->getSubtarget().getInstrInfo()->areMemAccessesTriviallyDisjoint(a, b))
+    return false;
+  const auto promises = [&](const MachineInstr& access) {
+    return access.hasOneMemOperand()
+               ? scopes_.in_every_pass((*access.memoperands_begin())->getAAInfo())
+               : AAMDNodes();
+  };
+  return !lie_apart(promises(a), promises(b));
 }
 
 void LoopDependences::add_memory(size_t first, size_t second) {
@@ -202,10 +209,10 @@ void LoopDependences::add_memory(size_t first, size_t second) {
     add(first, second, latency, 1);
 }
 
-MachineMemOperand* in_any_pass(MachineFunction& function, const MachineMemOperand& access) {
+MachineMemOperand* in_any_pass(MachineFunction& function, const MachineMemOperand& access,
+                               const LoopScopes& scopes) {
   MachinePointerInfo object;
-  AAMDNodes types;
-  types.TBAA = access.getAAInfo().TBAA;
+  const AAMDNodes promises = scopes.in_every_pass(access.getAAInfo());
   if (const Value* value = access.getValue()) {
     SmallVector<const Value*, 4> objects;
     getUnderlyingObjects(value, objects);
@@ -216,7 +223,7 @@ MachineMemOperand* in_any_pass(MachineFunction& function, const MachineMemOperan
   }
   return function.getMachineMemOperand(object, access.getFlags(),
                                        LocationSize::beforeOrAfterPointer(), access.getBaseAlign(),
-                                       types);
+                                       promises);
 }
 
 }  // namespace llvm

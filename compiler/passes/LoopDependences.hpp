@@ -9,6 +9,7 @@
 #include <map>
 
 #include "../target/BfinInstrInfo.hpp"
+#include "LoopScopes.hpp"
 
 namespace llvm {
 
@@ -56,6 +57,7 @@ class LoopDependences {
   MachineBasicBlock& block_;
   MachineRegisterInfo& regs_;
   AAResults& aliases_;
+  LoopScopes scopes_;
   bool complete_ = true;
   std::vector<MachineInstr*> instructions_;
   std::map<const MachineInstr*, size_t> numbers_;
@@ -64,6 +66,7 @@ class LoopDependences {
 };
 
 /// The same access of any pass of a loop: of the object it goes to nothing is left but its name.
-MachineMemOperand* in_any_pass(MachineFunction& function, const MachineMemOperand& access);
+MachineMemOperand* in_any_pass(MachineFunction& function, const MachineMemOperand& access,
+                               const LoopScopes& scopes);
 
 }  // namespace llvm

@@ -30,6 +30,8 @@ FunctionPass* createBfinStrides();
 FunctionPass* createBfinSteps();
 /// Loads for a loop's next pass at the end of the present one.
 FunctionPass* createBfinRotateLoops();
+/// Sums that come to their registers with their last products, behind loops.
+FunctionPass* createBfinFetches();
 /// Gives every virtual register its bank, data or pointer, where the copies cost least.
 FunctionPass* createBfinBankSelect();
 /// Spares the zero before each count of ones in a loop.

@@ -24,9 +24,10 @@ enum NodeType : unsigned {
   MULU16,    ///< low half x low half, unsigned
   MULU16HL,  ///< high half x low half
   MULU16HH,
-  MULLOW,  ///< signed product of the low halves; the product's low half is wanted
-  SUM,     ///< as ADD; exact sums fit 40 bits
-  SETLO,   ///< a word, and what its low half becomes
+  MULLOW,   ///< signed product of the low halves; the product's low half is wanted
+  SUM,      ///< as ADD; exact sums fit 40 bits
+  SUMFITS,  ///< as ADD; exact sums fit 32 bits
+  SETLO,    ///< a word, and what its low half becomes
   SETHI,
   TESTSET,
   COMPUTE,  ///< opcode, arguments that are halves (bit by bit), arguments -> results
@@ -59,6 +60,16 @@ class BfinTargetLowering : public TargetLowering {
   ConstraintType getConstraintType(StringRef constraint) const override;
   std::pair<unsigned, const TargetRegisterClass*> getRegForInlineAsmConstraint(
       const TargetRegisterInfo* registers, StringRef constraint, MVT type) const override;
+  /// Two words have no store of their own: as one value they would only lose what is known of them.
+  bool canMergeStoresTo(unsigned, EVT type, const MachineFunction&) const override {
+    return type.getSizeInBits() <= 32;
+  }
+  bool allowsMemoryAccess(LLVMContext& context, const DataLayout& layout, EVT type, unsigned space,
+                          Align align, MachineMemOperand::Flags flags,
+                          unsigned* fast) const override {
+    return type.getSizeInBits() <= 32 &&
+           TargetLowering::allowsMemoryAccess(context, layout, type, space, align, flags, fast);
+  }
   bool shouldConvertConstantLoadToIntImm(const APInt&, Type*) const override { return true; }
 
  private:

@@ -31,6 +31,7 @@ def bfin_mulu16hl : SDNode<"BfinISD::MULU16HL", SDT_Binary>;
 def bfin_mulu16hh : SDNode<"BfinISD::MULU16HH", SDT_Binary, [SDNPCommutative]>;
 def bfin_mullow : SDNode<"BfinISD::MULLOW", SDT_Binary, [SDNPCommutative]>;
 def bfin_sum : SDNode<"BfinISD::SUM", SDT_Binary, [SDNPCommutative]>;
+def bfin_sumfits : SDNode<"BfinISD::SUMFITS", SDT_Binary, [SDNPCommutative]>;
 def bfin_setlo : SDNode<"BfinISD::SETLO", SDT_Binary>;
 def bfin_sethi : SDNode<"BfinISD::SETHI", SDT_Binary>;
 // Ordered with memory, as all that acts on the system is; the others are selected by BfinISD::SYSTEM.
@@ -293,8 +294,9 @@ def : Pat<(ctpop D:$ra), (ONES (MOVI 0), D:$ra)>;
 def PACKLO : DspBinary<"$rd = PACK(${ra}.H, ${rb}.L)", [(set D:$rd, (bfin_setlo D:$ra, D:$rb))]>;
 def PACKHI : DspBinary<"$rd = PACK(${rb}.L, ${ra}.L)", [(set D:$rd, (bfin_sethi D:$ra, D:$rb))]>;
 
-// A sum modulo 2^32 whose exact value, summed up over a loop, is known to fit 40 bits.
+// Sums modulo 2^32 whose exact values, summed up over a loop, are known to fit 40 bits, or 32.
 def SUM_X : Pseudo<(outs DP:$rd), (ins DP:$ra, DP:$rb), [(set DP:$rd, (bfin_sum DP:$ra, DP:$rb))]>;
+def SUMFITS_X : Pseudo<(outs DP:$rd), (ins DP:$ra, DP:$rb), [(set DP:$rd, (bfin_sumfits DP:$ra, DP:$rb))]>;
 
 // Sums of products in the accumulators (BfinAccumulators). The first operand of each product says
 // whether it is added (0) or taken off (1). Results: the low word, or a sum that is known to fit.
@@ -319,6 +321,10 @@ let Defs = [A0, A1] in {
   let Uses = [A0, A1], ReadsEarly = true in
   def MACMAC : Dsp<(outs), (ins AddOrTake:$op1, HalfOf:$ra1, HalfOf:$rb1, AddOrTake:$op0, HalfOf:$ra0, HalfOf:$rb0),
                    "A1 $op1 $ra1 * $rb1, A0 $op0 $ra0 * $rb0 (IS)">;
+  // The same, with the sums, which are known to fit (BfinFetches).
+  let Uses = [A0, A1], Defs = [A0, A1, R2, R3], ReadsEarly = true in
+  def MACGETS : Dsp<(outs), (ins AddOrTake:$op1, HalfOf:$ra1, HalfOf:$rb1, AddOrTake:$op0, HalfOf:$ra0, HalfOf:$rb0),
+                    "R3 = (A1 $op1 $ra1 * $rb1), R2 = (A0 $op0 $ra0 * $rb0) (IS)">;
 }
 
 //===-- Conditions ---------------------------------------------------------------------------------===//

@@ -21,6 +21,7 @@ constexpr auto kSystem = BfinNamedInstruction::Kind::system;
 constexpr BfinNamedInstruction kTable[] = {
     // Of the middle end's own passes.
     {"sum", "i:ii", kInternal, BfinISD::SUM},
+    {"sum_fits", "i:ii", kInternal, BfinISD::SUMFITS},
     {"mul_low", "i:ii", kInternal, BfinISD::MULLOW},
     {"set_low", "i:ii", kInternal, BfinISD::SETLO},
     {"set_high", "i:ii", kInternal, BfinISD::SETHI},

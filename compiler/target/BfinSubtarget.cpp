@@ -42,15 +42,17 @@ unsigned BfinSubtarget::issueCycles(const MachineInstr& inst) {
 unsigned BfinSubtarget::latency(const MachineInstr& def, unsigned def_operand,
                                 const MachineInstr& use) {
   const MachineRegisterInfo& regs = def.getMF()->getRegInfo();
-  bool pointer = in_class(def.getOperand(def_operand), Bfin::PRegClass, regs);
+  const MachineOperand& result = def.getOperand(def_operand);
+  const bool pointer = in_class(result, Bfin::PRegClass, regs);
   if (pointer && def_operand == 0 && def.mayLoad())
     return kPointerLoadLatency;
-  if (pointer && (def.isCopy() || def.getOpcode() == Bfin::MOV) &&
+  const bool address = pointer || in_class(result, Bfin::IRRegClass, regs);
+  if (address && (def.isCopy() || def.getOpcode() == Bfin::MOV) &&
       in_class(def.getOperand(1), Bfin::DRegClass, regs))
     return kDataToPointerLatency;
-  const unsigned result =
+  const unsigned after =
       BfinII::readsEarly(use.getDesc()) && !def.mayLoad() ? kEarlyReadLatency : 1;
-  return issueCycles(def) - 1 + result;
+  return issueCycles(def) - 1 + after;
 }
 
 void BfinSubtarget::adjustSchedDependency(SUnit* producer, int def_operand, SUnit* consumer,

@@ -85,6 +85,7 @@ class BfinPassConfig : public TargetPassConfig {
 
   void addPreRegAlloc() override {
     addPass(createBfinRotateLoops());
+    addPass(createBfinFetches());
     addPass(&OptimizePHIsID);
     addPass(&DeadMachineInstructionElimID);
   }
