@@ -84,8 +84,8 @@ void pair_jammed(const JammedNest& nest, ScalarEvolution& scev) {
     pair(*plan, scev, nullptr);
 }
 
-/// One loop or nest. True: something was changed.
-bool visit(Loop& loop, const NestAnalyses& analyses, Heads& done) {
+/// One loop or nest. True: something was changed; `jammed`: a nest was.
+bool visit(Loop& loop, const NestAnalyses& analyses, Heads& done, bool& jammed) {
   done.insert(loop.getHeader());
   const std::optional<ProductLoop> products = match_product_loop(loop, analyses.scev);
   if (!products)
@@ -96,6 +96,7 @@ bool visit(Loop& loop, const NestAnalyses& analyses, Heads& done) {
   const std::optional<JammedNest> nest = jam_products(*products, analyses);
   if (!nest)
     return pair_under_test(*products, analyses.scev);
+  jammed = true;
   // An odd round at the end, and the copy itself.
   for (const Loop* other : analyses.loops.getLoopsInPreorder())
     if (!before.contains(other->getHeader()))
@@ -104,7 +105,7 @@ bool visit(Loop& loop, const NestAnalyses& analyses, Heads& done) {
   return true;
 }
 
-bool visit_one(Function& function, FunctionAnalysisManager& manager, Heads& done) {
+bool visit_one(Function& function, FunctionAnalysisManager& manager, Heads& done, bool& jammed) {
   auto& loops = manager.getResult<LoopAnalysis>(function);
   auto& dominators = manager.getResult<DominatorTreeAnalysis>(function);
   auto& scev = manager.getResult<ScalarEvolutionAnalysis>(function);
@@ -122,7 +123,8 @@ bool visit_one(Function& function, FunctionAnalysisManager& manager, Heads& done
     formLCSSARecursively(*loop, dominators, &loops, &scev);
   }
   for (Loop* loop : loops.getLoopsInPreorder())
-    if (loop->isInnermost() && !done.contains(loop->getHeader()) && visit(*loop, analyses, done))
+    if (loop->isInnermost() && !done.contains(loop->getHeader()) &&
+        visit(*loop, analyses, done, jammed))
       return true;
   return false;
 }
@@ -150,13 +152,11 @@ PreservedAnalyses ProductsPass::run(Function& function, FunctionAnalysisManager&
       manager.getResult<LoopAnalysis>(function).empty())
     return PreservedAnalyses::all();
   Heads done;
-  const bool nested = any_of(manager.getResult<LoopAnalysis>(function).getLoopsInPreorder(),
-                             [](const Loop* loop) { return loop->getLoopDepth() > 1; });
-  bool changed = false;
-  for (; visit_one(function, manager, done); changed = true)
+  bool jammed = false;
+  while (visit_one(function, manager, done, jammed))
     manager.invalidate(function, PreservedAnalyses::none());
   manager.invalidate(function, PreservedAnalyses::none());
-  if (changed && nested)
+  if (jammed)
     ask_once(function, manager);
   return PreservedAnalyses::none();
 }

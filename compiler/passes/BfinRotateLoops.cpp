@@ -207,6 +207,12 @@ bool BfinRotateLoops::registers_suffice(const LoopDependences& loop, const Modul
       else
         outside.insert(reg);
     }
+  // What moves to I registers needs no P register.
+  for (const IndexStream& stream : streams)
+    for (const MachineInstr* access : stream.accesses)
+      for (const MachineOperand& def : access->defs())
+        if (bank(def.getReg()) == 1)
+          ends.erase(def.getReg());
   // Of a register with a zero in its upper half no cycle is free.
   for (const IndexStream& stream : streams)
     for (const MachineInstr* load : stream.zero_extended)

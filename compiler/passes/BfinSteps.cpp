@@ -4,8 +4,8 @@
 //   x = [p]; y = [p + 512]; p += 4    ->  x = [p++]; y = [q++]      (q = p + 512 before the loop)
 //
 // The addition is saved, far accesses get their short form, and I registers can serve them
-// (BfinIndexStreams). Looks at loops of one block, before allocation, and changes a pointer only
-// where all of its accesses fit. Accesses change places where the steps want another order, if
+// (BfinIndexStreams). Looks at loops of one block, and, for one pointer at a time, at the other
+// blocks, before allocation, and changes a pointer only where all of its accesses fit. Accesses change places where the steps want another order, if
 // their addresses are known to be apart from what stands between.
 #include <llvm/Analysis/AliasAnalysis.h>
 #include <llvm/CodeGen/MachineFunctionPass.h>

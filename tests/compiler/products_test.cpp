@@ -91,6 +91,18 @@ TEST_F(Products, FiltersSumUpTwoOutputsTogether) {
   EXPECT_EQ(count(text, "PACK"), 0) << text;
 }
 
+// Whether the taps are even in number is asked in front of the outputs: an outer loop for each
+// answer, without a branch behind its inner loop.
+TEST_F(Products, WhatAllOutputsAnswerAlikeIsAskedOnce) {
+  const std::string text = compile(
+      std::string("void f(const short *restrict x, const short *restrict t, short *restrict y,\n"
+                  "       int n, int taps) {\n") +
+      kFilter);
+  EXPECT_EQ(count(text, "), R2 = (A0 += "), 2) << "two sums come with their last products\n"
+                                               << text;
+  EXPECT_EQ(count(text, "W[P"), count(text, "++]") + count(text, "++P")) << text;
+}
+
 // y may be what x is: each output has to be there before the next one is begun.
 TEST_F(Products, OutputsThatMayBeReadAreNotSummedUpTogether) {
   const std::string text =

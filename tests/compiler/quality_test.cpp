@@ -102,6 +102,36 @@ TEST_F(Quality, AccessesAtDistancesStepTheirPointers) {
   EXPECT_EQ(count(loop_of(function_of(text, "apart")), "+= 8"), 1) << "who knows?\n" << text;
 }
 
+// restrict of a function that is inlined once before a loop holds in all its rounds; of one that is
+// inlined into the loop it holds in a round.
+TEST_F(Quality, RestrictOfInlinedFunctionsLetsPassesOverlap) {
+  const std::string functions =
+      "static inline void copy(unsigned *restrict d, const unsigned *restrict s, int n) {\n"
+      "  for (int i = 0; i < n; i++) d[i] = s[i];\n}\n"
+      "static inline void one(unsigned *restrict d, const unsigned *restrict s) { *d = *s; }\n";
+  const std::string outside =
+      compile(functions + "void f(unsigned *d, unsigned *s, int n) { copy(d, s, n); }\n");
+  EXPECT_EQ(count(loop_of(function_of(outside, "f")), ";"), 1) << outside;
+  const std::string inside = compile(functions +
+                                     "void f(unsigned *d, unsigned *s, int n) {\n"
+                                     "  for (int i = 0; i < n; i++) one(d + i, s + i);\n}\n");
+  EXPECT_EQ(count(loop_of(function_of(inside, "f")), ";"), 2) << inside;
+}
+
+// A shift, RND, and no limit in a register; a sum that wraps says nothing of its limits.
+TEST_F(Quality, SaturatedShiftsAreTwoInstructions) {
+  const std::string text = compile(
+      "short f(int x) {\n  int r = (x + 16384) >> 15;\n"
+      "  return r > 32767 ? 32767 : r < -32768 ? -32768 : (short)r;\n}\n"
+      "short g(unsigned x) {\n  int r = (int)(x + 16384u) >> 15;\n"
+      "  return r > 32767 ? 32767 : r < -32768 ? -32768 : (short)r;\n}\n");
+  const std::string fraction = function_of(text, "f");
+  EXPECT_EQ(count(fraction, "<< 1 (S)"), 1) << text;
+  EXPECT_EQ(count(fraction, "(RND)"), 1) << text;
+  EXPECT_EQ(count(fraction, "MAX"), 0) << text;
+  EXPECT_EQ(count(function_of(text, "g"), "(RND)"), 0) << text;
+}
+
 TEST_F(Quality, NestedLoopsUseBothCounters) {
   const std::string body = function_of(
       compile("int sum(const unsigned char m[20][30]) {\n  int s = 0;\n"
