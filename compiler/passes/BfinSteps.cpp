@@ -5,8 +5,9 @@
 //
 // The addition is saved, far accesses get their short form, and I registers can serve them
 // (BfinIndexStreams). Looks at loops of one block, and, for one pointer at a time, at the other
-// blocks, before allocation, and changes a pointer only where all of its accesses fit. Accesses change places where the steps want another order, if
-// their addresses are known to be apart from what stands between.
+// blocks, before allocation, and changes a pointer only where all of its accesses fit. Accesses
+// change places where the steps want another order, if their addresses are known to be apart from
+// what stands between.
 #include <llvm/Analysis/AliasAnalysis.h>
 #include <llvm/CodeGen/MachineFunctionPass.h>
 #include <llvm/CodeGen/MachineInstrBuilder.h>
