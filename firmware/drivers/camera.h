@@ -4,6 +4,7 @@
 #define FINBACK_CAMERA_H
 
 #include <core.h>
+#include <stdint.h>
 
 /* Takes both cameras for the calling core and attaches their interrupts. */
 void camera_start(enum core core);
