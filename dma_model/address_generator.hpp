@@ -32,6 +32,9 @@ class AddressGenerator {
   // Appends the runs of the next `count` elements (fewer at the end) and goes on behind them.
   void take(std::uint32_t count, std::vector<memory::DmaRun>& runs);
 
+  [[nodiscard]] std::uint64_t elements_left() const {
+    return rows_left_ == 0 ? 0 : std::uint64_t{rows_left_ - 1} * shape_.x_count + columns_left_;
+  }
   [[nodiscard]] bool finished() const { return rows_left_ == 0; }
   // The address of the next element; one step past the last when finished.
   [[nodiscard]] Address address() const { return address_; }

@@ -2,8 +2,9 @@
 //
 // Models: one 64-bit port for both cores, taken for the whole of a read and for the posted cost of
 // a write, first come first served (on equal times core A comes first, being asked first); a
-// separate DMA port at SCLK whose bursts delay core accesses to the same sub-bank. Does not model:
-// pipelined reads of one core, the anomaly 05000428. Source: hardware.md 2.3.
+// separate DMA port at SCLK whose bursts delay core accesses to the same sub-bank; IMDMA, which
+// takes the cores' port for a whole burst. Does not model: pipelined reads of one core, the anomaly
+// 05000428. Source: hardware.md 2.3.
 #pragma once
 
 #include <algorithm>
@@ -40,6 +41,14 @@ class L2Timing {
   [[nodiscard]] Cycles fetch_stall() const { return read_cycles_ - 1; }
 
   [[nodiscard]] Cycles dma_free_at() const { return dma_free_at_; }
+  // An IMDMA burst on the cores' port, for `cycles`: returns when its last word has passed.
+  Cycles internal_dma(Cycles cycles, Cycles now) {
+    port_free_at_ = std::max(now, port_free_at_) + cycles;
+    port_core_ = kNoCore;
+    return port_free_at_;
+  }
+  [[nodiscard]] Cycles port_free_at() const { return port_free_at_; }
+
   // A DMA burst: when its first word can pass.
   [[nodiscard]] Cycles dma_start(Cycles now) const {
     return std::max(now, dma_free_at_) + dma_overhead_;
@@ -48,6 +57,8 @@ class L2Timing {
   Cycles dma_words(Address low, Address high, std::uint32_t words, Cycles start);
 
  private:
+  static constexpr int kNoCore = -1;
+
   Cycles grant(int core, Address address, Cycles now) {
     Cycles start = now;
     if (port_free_at_ > now) {

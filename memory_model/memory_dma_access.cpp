@@ -1,4 +1,5 @@
 // The side of the memory system that DMA uses: bursts in time, and their bytes.
+#include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
 
@@ -86,9 +87,30 @@ Cycles MemorySystem::dma_words(const Span& span, Direction direction, const DmaR
   return free_at;
 }
 
+DmaPort MemorySystem::dma_port(Address address) {
+  const Span* span = find_any(address);
+  if (span == nullptr || !span->dma_reachable) {
+    return DmaPort::none;
+  }
+  switch (span->level) {
+    case Level::l2:
+      return DmaPort::l2;
+    case Level::l3:
+      return DmaPort::external;
+    case Level::l1:
+      break;
+  }
+  return span->core == 0 ? DmaPort::l1_a : DmaPort::l1_b;
+}
+
+void MemorySystem::count_wait(Span& span, Initiator initiator, Direction direction, Cycles cycles) {
+  span.traffic[static_cast<std::size_t>(initiator)][static_cast<std::size_t>(direction)]
+      .stall_cycles += cycles;
+}
+
 Cycles MemorySystem::dma_burst(Initiator initiator, Direction direction,
                                std::span<const DmaRun> runs, std::uint32_t element_bytes,
-                               Cycles now) {
+                               Cycles now, Cycles asked_at) {
   if (observer_ != nullptr) {
     observer_->dma_access(initiator, runs, element_bytes, direction, now);
   }
@@ -97,9 +119,7 @@ Cycles MemorySystem::dma_burst(Initiator initiator, Direction direction,
   for (const DmaRun& run : runs) {
     Span* span = find_any(run.address);
     if (previous == nullptr) {
-      const Cycles free_at = dma_free_at(*span);
-      span->traffic[static_cast<std::size_t>(initiator)][static_cast<std::size_t>(direction)]
-          .stall_cycles += free_at > now ? free_at - now : 0;
+      count_wait(*span, initiator, direction, std::max(now, dma_free_at(*span)) - asked_at);
     }
     if (previous == nullptr || previous->region != span->region) {
       time = dma_start(*span, direction, time);
@@ -107,6 +127,30 @@ Cycles MemorySystem::dma_burst(Initiator initiator, Direction direction,
     time = dma_words(*span, direction, run, element_bytes, time);
     count_run(initiator, direction, run, element_bytes);
     previous = span;
+  }
+  return time;
+}
+
+Cycles MemorySystem::internal_dma_burst(Initiator initiator, Direction direction,
+                                        std::span<const DmaRun> runs, std::uint32_t element_bytes,
+                                        Cycles now, Cycles asked_at) {
+  if (observer_ != nullptr) {
+    observer_->dma_access(initiator, runs, element_bytes, direction, now);
+  }
+  Cycles time = now;
+  bool first = true;
+  for (const DmaRun& run : runs) {
+    Span* span = find_any(run.address);
+    const bool l2 = span->level == Level::l2;
+    Cycles& l1_free_at = l1_dma_free_at_[static_cast<std::size_t>(l2 ? 0 : span->core)];
+    const Cycles start = std::max(time, l2 ? l2_.port_free_at() : l1_free_at);
+    if (first) {
+      count_wait(*span, initiator, direction, start - asked_at);
+    }
+    const Cycles cycles = (first ? imdma_overhead_ : 0) + run.count * imdma_word_;
+    time = l2 ? l2_.internal_dma(cycles, start) : l1_free_at = start + cycles;
+    count_run(initiator, direction, run, element_bytes);
+    first = false;
   }
   return time;
 }

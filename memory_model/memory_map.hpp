@@ -19,12 +19,28 @@ enum class Level : std::uint8_t { l1, l2, l3 };
 inline constexpr int kLevelCount = 3;
 inline constexpr std::array<std::string_view, kLevelCount> kLevelNames = {"l1", "l2", "l3"};
 
-// Everything that moves bytes; counters carry these names. MDMA streams count their reads and
-// writes alike.
-enum class Initiator : std::uint8_t { core_a, core_b, mdma1_0, mdma1_1, mdma2_0, mdma2_1, host };
-inline constexpr int kInitiatorCount = 7;
+// Everything that moves bytes; counters carry these names. A channel's descriptors count as its
+// data. PPI0 and PPI1 go by their names; `dma1` and `dma2` are the other peripherals of the two
+// controllers. A stream of memory DMA counts what its source reads and its destination writes.
+enum class Initiator : std::uint8_t {
+  core_a,
+  core_b,
+  ppi0,
+  ppi1,
+  dma1,
+  dma2,
+  mdma1_0,
+  mdma1_1,
+  mdma2_0,
+  mdma2_1,
+  imdma_0,
+  imdma_1,
+  host
+};
+inline constexpr int kInitiatorCount = 13;
 inline constexpr std::array<std::string_view, kInitiatorCount> kInitiatorNames = {
-    "core_a", "core_b", "mdma1_0", "mdma1_1", "mdma2_0", "mdma2_1", "host"};
+    "core_a",  "core_b",  "ppi0",    "ppi1",    "dma1",    "dma2", "mdma1_0",
+    "mdma1_1", "mdma2_0", "mdma2_1", "imdma_0", "imdma_1", "host"};
 
 struct Region {
   std::string

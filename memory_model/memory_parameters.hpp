@@ -52,6 +52,16 @@ struct MemoryParameters final : ParameterGroup {
                                     {"memory.l2.dma_word_sclk", "SCLK", 1, 1, 64, 'V',
                                      "hardware.md 2.3", "one DMA word on L2's 32-bit DMA port"}};
 
+  // --- IMDMA, in L1 and on the port of L2 that the cores use ---
+  IntegerParameter imdma_overhead_cycles{
+      this,
+      {"memory.imdma.overhead_cycles", "CCLK", 6, 0, 64, 'E', "hardware.md 3.2",
+       "start of an IMDMA burst at either end, before its first element"}};
+  IntegerParameter imdma_word_cycles{
+      this,
+      {"memory.imdma.word_cycles", "CCLK", 3, 1, 64, 'M', "hardware.md 3.2",
+       "one element of IMDMA at either end, of any width (2 to 4 cycles)"}};
+
   // --- SDRAM and the external bus ---
   IntegerParameter sdram_cl_sclk{this,
                                  {"memory.sdram.cl_sclk", "SCLK", 3, 0, 8, 'V', "hardware.md 2.4",

@@ -33,6 +33,8 @@ MemorySystem::MemorySystem(MemoryMap map, const MemoryParameters& parameters,
     : map_(std::move(map)),
       l1_dma_overhead_(static_cast<Cycles>(parameters.l1_dma_overhead_sclk) * clock.ratio()),
       l1_dma_word_(static_cast<Cycles>(parameters.l1_dma_word_sclk) * clock.ratio()),
+      imdma_overhead_(static_cast<Cycles>(parameters.imdma_overhead_cycles)),
+      imdma_word_(static_cast<Cycles>(parameters.imdma_word_cycles)),
       l2_(parameters, clock.ratio(), only_region(map_, Level::l2)),
       sdram_(parameters, clock, only_region(map_, Level::l3)) {
   for (WriteBuffer& buffer : write_buffers_) {

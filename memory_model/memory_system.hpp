@@ -58,6 +58,10 @@ struct Span {
   [[nodiscard]] std::uint8_t* at(Address address) const { return bytes + (address - base); }
 };
 
+// Where DMA meets the memories: on each of them one burst at a time.
+enum class DmaPort : std::uint8_t { l1_a, l1_b, l2, external, none };
+inline constexpr std::size_t kDmaPortCount = 4;
+
 class MemorySystem {
  public:
   // `places`: everything that was placed, in any order. Memory is zero. Throws InputError when two
@@ -107,10 +111,17 @@ class MemorySystem {
   // --- DMA ---
   // Why DMA cannot touch all of `run`, "0x...: ..."; empty when it can. A run lies in one region.
   [[nodiscard]] std::string dma_fault(const DmaRun& run, std::uint32_t element_bytes) const;
-  // Times and counts one burst, asked for at `now`; returns when its last word has passed. The runs
-  // must be free of dma_fault and aligned to `element_bytes` (1, 2 or 4).
+  // Which port DMA meets `address` at: one of a core's L1, L2's, the external one; none where there
+  // is no memory for it.
+  [[nodiscard]] DmaPort dma_port(Address address);
+  // Times and counts one burst, begun at `now`; returns when its last word has passed. The runs
+  // must be free of dma_fault and aligned to `element_bytes` (1, 2 or 4). What it waited for
+  // others since `asked_at` counts as its stall.
   Cycles dma_burst(Initiator initiator, Direction direction, std::span<const DmaRun> runs,
-                   std::uint32_t element_bytes, Cycles now);
+                   std::uint32_t element_bytes, Cycles now, Cycles asked_at);
+  // The same for IMDMA: at the core clock, through the cores' port of L2. L1 and L2 only.
+  Cycles internal_dma_burst(Initiator initiator, Direction direction, std::span<const DmaRun> runs,
+                            std::uint32_t element_bytes, Cycles now, Cycles asked_at);
   // Move the bytes of a burst, without time or counts.
   void gather(std::span<const DmaRun> runs, std::uint32_t element_bytes, std::uint8_t* to);
   void scatter(std::span<const DmaRun> runs, std::uint32_t element_bytes, const std::uint8_t* from);
@@ -174,6 +185,7 @@ class MemorySystem {
   [[nodiscard]] std::uint8_t* bytes_at(Address address, std::uint32_t size) const;
   void count_run(Initiator initiator, Direction direction, const DmaRun& run,
                  std::uint32_t element_bytes);
+  void count_wait(Span& span, Initiator initiator, Direction direction, Cycles cycles);
   [[nodiscard]] Cycles dma_free_at(const Span& span) const;
   [[nodiscard]] Cycles dma_start(const Span& span, Direction direction, Cycles now);
   [[nodiscard]] Cycles dma_words(const Span& span, Direction direction, const DmaRun& run,
@@ -191,6 +203,8 @@ class MemorySystem {
 
   Cycles l1_dma_overhead_;
   Cycles l1_dma_word_;
+  Cycles imdma_overhead_;
+  Cycles imdma_word_;
   std::array<Cycles, kCoreCount> l1_dma_free_at_{};
   std::array<WriteBuffer, kCoreCount> write_buffers_;
   L2Timing l2_;

@@ -33,19 +33,27 @@ struct sic_registers {
 };
 
 /* Interrupt sources. */
+#define IRQ_DMA1_ERROR 1
+#define IRQ_DMA2_ERROR 2
+#define IRQ_IMDMA_ERROR 3
 #define IRQ_DMA1_CHANNEL(channel) (11 + (channel)) /* 0: PPI0, 1: PPI1 */
+#define IRQ_DMA2_CHANNEL(channel) (23 + (channel))
 #define IRQ_MDMA1_STREAM(stream) (53 + (stream))
 #define IRQ_SUPPLEMENTAL_0 62
 
-/* --- memory DMA controller 1: two streams, each a destination and a source channel --- */
+/* --- DMA (docs/dma.md): channels of peripherals, and of memory DMA two streams, each a destination
+ * and a source channel --- */
 
+#define DMA1_0_BASE 0xFFC01C00u
+#define DMA2_0_BASE 0xFFC00C00u
+#define DMA_CHANNEL_STRIDE 0x40u
+#define DMA1_TC_PER BF561_REGISTER_16(0xFFC01B0Cu)
+#define DMA2_TC_PER BF561_REGISTER_16(0xFFC00B0Cu)
 #define MDMA1_D0_BASE 0xFFC01F00u
 #define MDMA1_S0_BASE 0xFFC01F40u
 #define MDMA1_STREAM_STRIDE 0x80u
-
-/* The controller's channels for peripherals. */
-#define DMA1_0_BASE 0xFFC01C00u
-#define DMA_CHANNEL_STRIDE 0x40u
+#define MDMA2_D0_BASE 0xFFC00F00u
+#define MDMA2_S0_BASE 0xFFC00F40u
 
 struct dma_registers {
   uint32_t next_desc_ptr;
@@ -59,6 +67,21 @@ struct dma_registers {
   uint32_t curr_desc_ptr;
   uint32_t curr_addr;
   uint16_t irq_status, reserved_2a;
+  uint16_t peripheral_map, reserved_2e;
+  uint16_t curr_x_count, reserved_32;
+  uint32_t reserved_34;
+  uint16_t curr_y_count, reserved_3a;
+};
+
+/* A descriptor of a large list; of a small one next_desc_ptr is 16 bits wide, an array has none. */
+struct dma_large_descriptor {
+  void* next_desc_ptr;
+  void* start_addr;
+  uint16_t config;
+  uint16_t x_count;
+  int16_t x_modify;
+  uint16_t y_count;
+  int16_t y_modify;
 };
 
 /* CONFIG */
@@ -68,10 +91,21 @@ struct dma_registers {
 #define WDSIZE_16 0x0004u
 #define WDSIZE_32 0x0008u
 #define DMA2D 0x0010u
+#define RESTART 0x0020u
+#define DI_SEL 0x0040u
 #define DI_EN 0x0080u
+#define NDSIZE(words) ((words) << 8)
+#define DMAFLOW_STOP 0x0000u
+#define DMAFLOW_AUTO 0x1000u
+#define DMAFLOW_ARRAY 0x4000u
+#define DMAFLOW_SMALL 0x6000u
+#define DMAFLOW_LARGE 0x7000u
 
 /* IRQ_STATUS */
 #define DMA_DONE 0x0001u
+#define DMA_ERR 0x0002u
+#define DFETCH 0x0004u
+#define DMA_RUN 0x0008u
 
 /* --- parallel ports: PPI0 and PPI1 --- */
 

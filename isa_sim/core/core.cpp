@@ -102,6 +102,7 @@ struct Core::Hooks {
       c.turn_.horizon = 0;
       return true;
     }
+    c.device_write_packet_ = o.site;
     c.guarded(o, [&] {
       c.add_stall(o, Cause::device,
                   c.port_.device_write(c.number_, address, bytes, value, c.now(o)), address);
@@ -424,6 +425,10 @@ std::string Core::place(std::uint32_t packet) const {
     text += fmt::format(", {}:{}", image_.source_files[static_cast<std::size_t>(p.file)], p.line);
   }
   return text + ")";
+}
+
+std::string Core::device_writer() const {
+  return fmt::format("{} in {}", name_of(id_), place(device_write_packet_));
 }
 
 void Core::fault(const Operation& operation, const std::string& what) const {

@@ -92,6 +92,8 @@ class Core {
   [[nodiscard]] std::string place(std::uint32_t packet) const;
   void register_counters(CounterRegistry& registry) const;
   [[nodiscard]] isa::ExecutionState& state() { return state_; }
+  // The instruction that wrote a device register last: "core_a in main (0xffa00010, main.c:7)".
+  [[nodiscard]] std::string device_writer() const;
 
  private:
   struct Hooks;
@@ -232,6 +234,7 @@ class Core {
   std::map<std::uint32_t, Bytes> killed_bytes_;  // by packet: moved, but not completed
   std::uint32_t nowhere_ = 0;                    // what an access to no memory moves
   std::uint32_t idle_packet_ = 0;
+  std::uint32_t device_write_packet_ = 0;
   Cycles started_at_ = 0;
   Turn turn_;
   std::unique_ptr<CoreTrace> trace_;  // nullptr: nobody looks

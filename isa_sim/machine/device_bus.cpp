@@ -32,30 +32,43 @@ DeviceBus::DeviceBus(const MachineDescription& description, memory::MemorySystem
                     description.clock.ratio()),
       interrupts_(description.devices, description.clock.ratio(), std::move(interrupt_outputs)),
       host_(memory),
-      mdma1_(dma::Controller::mdma1, description.dma, description.clock.ratio(), memory,
-             [this](int stream, bool level, Cycles at) {
-               interrupts_.set_line(kMdma1Stream0 + stream, level, at);
-             }),
-      mdma2_(dma::Controller::mdma2, description.dma, description.clock.ratio(), memory,
-             [this](int stream, bool level, Cycles at) {
-               interrupts_.set_line(kMdma2Stream0 + stream, level, at);
-             }),
-      imdma_(description.clock.cclk_mhz),
-      peripherals_(description,
-                   {.line = [this](int source, bool level,
-                                   Cycles at) { interrupts_.set_line(source, level, at); },
-                    .watchdog_line =
-                        [this](int core, bool level, Cycles at) {
-                          interrupts_.set_core_line(core, kWatchdog, level, at);
-                        }}),
+      dma1_(dma::Controller::dma1, description.dma, description.clock, memory,
+            {.channel_0 = kDma1Channel0, .stream_0 = kMdma1Stream0, .error = kDma1Error},
+            line_setter()),
+      dma2_(dma::Controller::dma2, description.dma, description.clock, memory,
+            {.channel_0 = kDma2Channel0, .stream_0 = kMdma2Stream0, .error = kDma2Error},
+            line_setter()),
+      imdma_(dma::Controller::imdma, description.dma, description.clock, memory,
+             {.stream_0 = kImdmaStream0, .error = kImdmaError}, line_setter()),
+      peripherals_(description, {.line = line_setter(),
+                                 .watchdog_line =
+                                     [this](int core, bool level, Cycles at) {
+                                       interrupts_.set_core_line(core, kWatchdog, level, at);
+                                     }}),
       mappings_{{0xFFC00100, InterruptRegisters::kBytes, "SICA_", &sica_},
                 {0xFFC01100, InterruptRegisters::kBytes, "SICB_", &sicb_},
-                {0xFFC01F00, dma::MemoryDma::kRegisterBytes, "MDMA1_", &mdma1_},
-                {0xFFC00F00, dma::MemoryDma::kRegisterBytes, "MDMA2_", &mdma2_},
-                {0xFFC01800, dma::MemoryDma::kRegisterBytes, "IMDMA_", &imdma_},
+                {0xFFC01B00, dma::DmaController::kRegisterBytes, "", &dma1_},
+                {0xFFC00B00, dma::DmaController::kRegisterBytes, "", &dma2_},
+                {0xFFC01800, dma::DmaController::kInternalRegisterBytes, "", &imdma_},
                 {0xFFC0F000, HostPort::kRegisterBytes, "HOST_", &host_}} {
   const std::vector<Mapping> more = peripherals_.mappings();
   mappings_.insert(mappings_.end(), more.begin(), more.end());
+}
+
+std::function<void(int, bool, Cycles)> DeviceBus::line_setter() {
+  return [this](int source, bool level, Cycles at) { interrupts_.set_line(source, level, at); };
+}
+
+void DeviceBus::set_writer(const std::function<std::string()>& who) {
+  for (dma::DmaController* controller : {&dma1_, &dma2_, &imdma_}) {
+    controller->set_writer(who);
+  }
+}
+
+void DeviceBus::register_counters(CounterRegistry& registry) const {
+  for (const dma::DmaController* controller : {&dma1_, &dma2_, &imdma_}) {
+    controller->register_counters(registry);
+  }
 }
 
 const DeviceBus::Mapping* DeviceBus::find_mapping(Address address) const {

@@ -1,6 +1,6 @@
 // The peripheral bus and everything on it: system registers from 0xFFC00000 to 0xFFDFFFFF.
 //
-// Models: MDMA1, MDMA2, IMDMA (registers only), SICA and SICB, watchdogs, timers, flags, the UART,
+// Models: DMA1, DMA2, IMDMA, SICA and SICB, watchdogs, timers, flags, the UART,
 // the host port; reads that hold the core, posted writes. A write takes effect at the time it is
 // made, though the bus is busy with it for a while; SSYNC waits for that. Does not model: PPI, PLL,
 // SPORT, SPI: an access there is a GuestFault that names the nearest register there is. Source:
@@ -9,12 +9,14 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include <common/counters.hpp>
 #include <common/device.hpp>
 #include <common/units.hpp>
-#include <dma_model/memory_dma.hpp>
+#include <dma_model/dma_controller.hpp>
 #include <isa_sim/machine/host_port.hpp>
 #include <isa_sim/machine/machine_description.hpp>
 #include <isa_sim/machine/peripherals.hpp>
@@ -63,10 +65,16 @@ class DeviceBus {
   [[nodiscard]] HostPort& host() { return host_; }
   [[nodiscard]] SystemInterrupts& interrupts() { return interrupts_; }
   [[nodiscard]] Peripherals& peripherals() { return peripherals_; }
+  // `who` describes the instruction that is writing a register now, for faults that come of it
+  // later.
+  void set_writer(const std::function<std::string()>& who);
+  void register_counters(CounterRegistry& registry) const;
 
  private:
   using Mapping = DeviceMapping;
 
+  // What devices call when one of their interrupt lines changes.
+  [[nodiscard]] std::function<void(int source, bool level, Cycles at)> line_setter();
   [[nodiscard]] const Mapping* find_mapping(Address address) const;
   [[nodiscard]] std::string nearest_register(Address address) const;
   const Mapping& check(Address address, int bytes, bool write) const;
@@ -81,9 +89,9 @@ class DeviceBus {
   InterruptRegisters sica_{interrupts_, 0};
   InterruptRegisters sicb_{interrupts_, 1};
   HostPort host_;
-  dma::MemoryDma mdma1_;
-  dma::MemoryDma mdma2_;
-  dma::InternalMemoryDma imdma_;
+  dma::DmaController dma1_;
+  dma::DmaController dma2_;
+  dma::DmaController imdma_;
   Peripherals peripherals_;
   std::vector<Mapping> mappings_;
 };

@@ -79,9 +79,11 @@ class Machine::Implementation final : public core::SystemPort {
       }
     }
     memory_.register_counters(counters_);
+    bus_.register_counters(counters_);
     for (const auto& core : cores_) {
       core->register_counters(counters_);
     }
+    bus_.set_writer([this] { return core_at(device_writer_).device_writer(); });
     bus_.host().set_exit([this](std::uint32_t status, Cycles at) {
       exit_ = StopInfo{Stop::exited, status, at, {}};
       running_->shorten_turn(0);
@@ -110,6 +112,7 @@ class Machine::Implementation final : public core::SystemPort {
   }
   Cycles device_write(int core, Address address, int bytes, std::uint32_t value,
                       Cycles now) override {
+    device_writer_ = core;
     const Cycles stall = bus_.write(core, address, bytes, value, now);
     core_at(core).shorten_turn(bus_.next_event_time());
     return stall;
@@ -288,6 +291,7 @@ class Machine::Implementation final : public core::SystemPort {
   CounterRegistry counters_;
   std::optional<StopInfo> exit_;
   core::Core* running_ = nullptr;
+  int device_writer_ = 0;  // the core that wrote a device register last
 };
 
 Machine::Machine(const MachineDescription& description, const ir::Image& image, Begin begin)

@@ -21,8 +21,13 @@ namespace finback::machine {
 
 // Numbers of the sources that the machine has.
 enum InterruptSource : int {
+  kDma1Error = 1,
+  kDma2Error = 2,
+  kImdmaError = 3,
   kUartError = 9,
-  kUartReceive = 28,
+  kDma1Channel0 = 11,  // PPI0; PPI1 is the next one
+  kDma2Channel0 = 23,
+  kUartReceive = 28,  // with or without its channel of DMA2
   kUartTransmit = 29,
   kTimer0 = 35,   // to 46, TIMER11
   kFlags0A = 47,  // FIO0's A and B, FIO1's, FIO2's
@@ -30,6 +35,7 @@ enum InterruptSource : int {
   kMdma1Stream1 = 54,
   kMdma2Stream0 = 55,
   kMdma2Stream1 = 56,
+  kImdmaStream0 = 57,
   kWatchdog = 59,  // of each core its own
   kSupplemental0 = 62,
   kSupplemental1 = 63,

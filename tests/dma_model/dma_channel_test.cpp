@@ -9,34 +9,79 @@ using testing::ThrowsMessage;
 using DmaChannelTest = DmaTest;
 
 TEST_F(DmaChannelTest, RegistersReadBackWhatWasWritten) {
-  for (const std::uint32_t channel : {kD0, kS0, kD1, kS1}) {
-    for (const std::uint32_t wide : {kNextDescriptorPointer, kStartAddress}) {
+  for (std::uint32_t channel = kPpi0; channel <= kS1; channel += kChannelBytes) {
+    for (const std::uint32_t wide :
+         {kNextDescriptorPointer, kStartAddress, kCurrentDescriptorPointer, kCurrentAddress}) {
       dma1_->write(channel + wide, 4, 0xFF800000 + channel + wide, 0);
       EXPECT_EQ(dma1_->read(channel + wide, 4, 0), 0xFF800000 + channel + wide);
     }
-    for (const std::uint32_t narrow : {kXCount, kXModify, kYCount, kYModify}) {
+    for (const std::uint32_t narrow :
+         {kXCount, kXModify, kYCount, kYModify, kCurrentXCount, kCurrentYCount}) {
       dma1_->write(channel + narrow, 2, 0x8000 + channel + narrow, 0);
       EXPECT_EQ(dma1_->read(channel + narrow, 2, 0), 0x8000 + channel + narrow);
       EXPECT_EQ(dma1_->read(channel + narrow, 4, 0), 0x8000 + channel + narrow);
     }
     dma1_->write(channel + kConfig, 2, 0x10C8, 0);
     EXPECT_EQ(dma1_->read(channel + kConfig, 2, 0), 0x10C8U);
-    EXPECT_EQ(dma1_->read(channel + kPeripheralMap, 2, 0), 0x40U);
+    EXPECT_EQ(dma1_->read(channel + kIrqStatus, 2, 0), 0U);
   }
   EXPECT_EQ(dma2_->read(kD0 + kStartAddress, 4, 0), 0U);
+  EXPECT_TRUE(lines_.empty());
+}
+
+TEST_F(DmaChannelTest, NamesAreThoseOfTheChip) {
+  EXPECT_EQ(dma1_->register_name(kPpi0 + kConfig), "DMA1_0_CONFIG");
+  EXPECT_EQ(dma2_->register_name(kD0 - 0x40 + kStartAddress), "DMA2_11_START_ADDR");
+  EXPECT_EQ(dma2_->register_name(kS1 + kCurrentAddress), "MDMA2_S1_CURR_ADDR");
+  EXPECT_EQ(dma1_->register_name(DmaController::kTrafficPeriods), "DMA1_TC_PER");
+  EXPECT_EQ(dma1_->register_name(kPpi0 + 0x3C), "");
+}
+
+TEST_F(DmaChannelTest, PeripheralMapBeginsWithTheChannelsNumber) {
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(dma1_->read(kPpi0 + kChannelBytes * i + kPeripheralMap, 2, 0), i << 12U);
+  }
+  EXPECT_EQ(dma1_->read(kD0 + kPeripheralMap, 2, 0), 0x40U);
+  dma1_->write(kPpi0 + kPeripheralMap, 2, 0x1040, 0);
+  EXPECT_EQ(dma1_->read(kPpi0 + kPeripheralMap, 2, 0), 0x1000U);
+  EXPECT_THAT([&] { dma1_->write(kPpi0 + kPeripheralMap, 2, 0xC000, 0); },
+              ThrowsMessage<GuestFault>(HasSubstr("DMA1_0_PERIPHERAL_MAP = 0xc000: PMAP must be "
+                                                  "below 12")));
 }
 
 TEST_F(DmaChannelTest, WideRegistersTakeHalves) {
-  dma1_->write(kStartAddress, 2, 0x5678, 0);
-  dma1_->write(kStartAddress + 2, 2, 0x1234, 0);
-  EXPECT_EQ(dma1_->read(kStartAddress, 4, 0), 0x12345678U);
-  EXPECT_EQ(dma1_->read(kStartAddress + 2, 2, 0), 0x1234U);
-  EXPECT_EQ(dma1_->read(kStartAddress, 2, 0), 0x5678U);
+  dma1_->write(kD0 + kStartAddress, 2, 0x5678, 0);
+  dma1_->write(kD0 + kStartAddress + 2, 2, 0x1234, 0);
+  EXPECT_EQ(dma1_->read(kD0 + kStartAddress, 4, 0), 0x12345678U);
+  EXPECT_EQ(dma1_->read(kD0 + kStartAddress + 2, 2, 0), 0x1234U);
+  EXPECT_EQ(dma1_->read(kD0 + kStartAddress, 2, 0), 0x5678U);
 }
 
-TEST_F(DmaChannelTest, ReadOnlyRegistersAreFaults) {
-  EXPECT_THAT([&] { dma1_->write(kS0 + kCurrentXCount, 2, 1, 0); },
-              ThrowsMessage<GuestFault>(HasSubstr("MDMA1_S0_CURR_X_COUNT = 0x1: it is read-only")));
+TEST_F(DmaChannelTest, TrafficCountsAreReadOnly) {
+  EXPECT_THAT([&] { dma1_->write(DmaController::kTrafficCounts, 2, 1, 0); },
+              ThrowsMessage<GuestFault>(HasSubstr("DMA1_TC_CNT = 0x1: it is read-only")));
+}
+
+TEST_F(DmaChannelTest, ARunningChannelTakesConfigAndStatusOnly) {
+  for (const std::uint32_t reg : {kNextDescriptorPointer, kStartAddress, kXCount, kXModify, kYCount,
+                                  kYModify, kCurrentDescriptorPointer, kCurrentAddress,
+                                  kCurrentXCount, kCurrentYCount, kPeripheralMap, kConfig}) {
+    build();
+    program(*dma1_, kS0, kL3, 64, 4);
+    program(*dma1_, kD0, kL1A, 64, 4);
+    enable(*dma1_, 0, kBits32, 0);
+    const std::string name = dma1_->register_name(kS0 + reg);
+    EXPECT_THAT([&] { dma1_->write(kS0 + reg, 2, 1, 10); },
+                ThrowsMessage<GuestFault>(HasSubstr(name + " = ")));
+    build();
+    program(*dma1_, kS0, kL3, 64, 4);
+    program(*dma1_, kD0, kL1A, 64, 4);
+    enable(*dma1_, 0, kBits32, 0);
+    dma1_->write(kS0 + kIrqStatus, 2, kDone, 10);
+    dma1_->write(kS0 + kConfig, 2, 0, 10);
+    EXPECT_EQ(status(*dma1_, kS0), 0U);
+    dma1_->write(kS0 + reg, 2, 0, 10);
+  }
 }
 
 struct Refusal {
@@ -74,8 +119,19 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"reserved", 3U << 2, kTo, kL3, kL1A, 4, 4, 4, "MDMA1_S1_CONFIG = 0xd: WDSIZE 3"},
         Refusal{"direction", kBits32, kBits32, kL3, kL1A, 4, 4, 4,
                 "MDMA1_D1_CONFIG = 0x9: a destination channel needs WNR = 1"},
-        Refusal{"descriptors", kBits32 | 7U << 12, kTo, kL3, kL1A, 4, 4, 4,
-                "FLOW 7 (descriptors) is not modelled"},
+        Refusal{"flow_2", kBits32 | 2U << 12, kTo, kL3, kL1A, 4, 4, 4, "FLOW 2 is reserved"},
+        Refusal{"flow_5", kBits32 | 5U << 12, kTo, kL3, kL1A, 4, 4, 4, "FLOW 5 is reserved"},
+        Refusal{"bit_15", kBits32 | 1U << 15, kTo, kL3, kL1A, 4, 4, 4, "and 0 for bit 15"},
+        Refusal{"stop_with_size", kBits32 | 3U << 8, kTo, kL3, kL1A, 4, 4, 4,
+                "NDSIZE 3 with FLOW 0, which has no descriptors; it must be 0"},
+        Refusal{"array_without_size", kBits32 | 4U << 12, kTo, kL3, kL1A, 4, 4, 4,
+                "NDSIZE 0 does not fit FLOW 4; use 1 to 7"},
+        Refusal{"array_too_long", kBits32 | 4U << 12 | 8U << 8, kTo, kL3, kL1A, 4, 4, 4,
+                "NDSIZE 8 does not fit FLOW 4; use 1 to 7"},
+        Refusal{"small_too_long", kBits32 | 6U << 12 | 9U << 8, kTo, kL3, kL1A, 4, 4, 4,
+                "NDSIZE 9 does not fit FLOW 6; use 1 to 8"},
+        Refusal{"large_too_long", kBits32 | 7U << 12 | 10U << 8, kTo, kL3, kL1A, 4, 4, 4,
+                "NDSIZE 10 does not fit FLOW 7; use 1 to 9"},
         Refusal{"misaligned", kBits32, kTo, kL3 + 2, kL1A, 4, 4, 4,
                 "MDMA1_S1_START_ADDR = 0x10002: must be a multiple of the element size, 4 bytes"},
         Refusal{"modify", kBits32, kTo, kL3, kL1A, 4, 4, 2, "MDMA1_S1_X_MODIFY = 0x2: must be"},
@@ -86,17 +142,6 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"end", kBits32, kTo, kL3, kL1A + 0x7FF0, 5, 5, 4,
                 "the transfer leaves l1.data.a, which ends at 0xff807fff"}),
     [](const testing::TestParamInfo<Refusal>& refusal) { return refusal.param.name; });
-
-TEST(InternalMemoryDma, KeepsRegistersAndRefusesToRun) {
-  InternalMemoryDma fast(600);
-  fast.write(kS1 + kXCount, 2, 77, 0);
-  EXPECT_EQ(fast.read(kS1 + kXCount, 2, 0), 77U);
-  EXPECT_THAT([&] { fast.write(kD0 + kConfig, 2, kEnable, 0); },
-              ThrowsMessage<GuestFault>(HasSubstr("anomaly 05000182")));
-  InternalMemoryDma slow(500);
-  EXPECT_THAT([&] { slow.write(kD0 + kConfig, 2, kEnable, 0); },
-              ThrowsMessage<GuestFault>(HasSubstr("not modelled")));
-}
 
 }  // namespace
 }  // namespace finback::dma

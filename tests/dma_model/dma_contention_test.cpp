@@ -11,7 +11,7 @@ TEST_F(DmaContention, FourStreamsAndTwoCoresConserveBytes) {
   build();
   const auto images = pattern(40000, 7);
   memory_->store_bytes(kL3, images);
-  const auto begin = [&](MemoryDma& dma, std::uint32_t stream, Address from, Address to) {
+  const auto begin = [&](DmaController& dma, std::uint32_t stream, Address from, Address to) {
     program(dma, 0x80 * stream + kS0, from, 2500, 4);
     program(dma, 0x80 * stream + kD0, to, 2500, 4);
     enable(dma, stream, kBits32, 0);

@@ -17,6 +17,8 @@ enum check {
   DMA_COPY,
   DMA_COPY_SPILLS,
   DMA_GATHER,
+  DMA_DESCRIPTORS,
+  DMA_RING,
 };
 
 _Alignas(4) uint8_t bytes_in_l1[CHECKED_BYTES];
@@ -139,6 +141,102 @@ static enum check check_dma_gather(void) {
   return bytes_in_l1[15] == 0 ? ALL_WELL : DMA_GATHER;
 }
 
+#define UNIT (WDSIZE_16 | DMAEN)
+
+static volatile struct dma_registers* const destination =
+    (volatile struct dma_registers*)MDMA2_D0_BASE;
+static volatile struct dma_registers* const source = (volatile struct dma_registers*)MDMA2_S0_BASE;
+
+static void wait_for_done(void) {
+  while ((destination->irq_status & DMA_DONE) == 0) {
+  }
+  destination->irq_status = DMA_DONE;
+}
+
+/* 60 bytes in one piece to three places, by a list; then backwards, by an array. */
+static enum check check_dma_descriptors(void) {
+  static struct dma_large_descriptor list[3];
+  static uint16_t array[6];
+  count_up(bytes_in_l3);
+  memset(bytes_in_l1, 0, CHECKED_BYTES);
+  source->start_addr = (uint32_t)bytes_in_l3;
+  source->x_count = 30;
+  source->x_modify = 2;
+  for (int i = 0; i < 3; ++i) {
+    list[i].next_desc_ptr = &list[i + 1];
+    list[i].start_addr = bytes_in_l1 + 100 * i;
+    list[i].config = (uint16_t)(UNIT | WNR | (i < 2 ? DMAFLOW_LARGE | NDSIZE(7) : DMAFLOW_STOP));
+    list[i].x_count = 10;
+    list[i].x_modify = 2;
+  }
+  destination->next_desc_ptr = (uint32_t)list;
+  __builtin_bfin_ssync();
+  source->config = UNIT;
+  destination->config = UNIT | WNR | DMAFLOW_LARGE | NDSIZE(7);
+  while ((destination->irq_status & DMA_RUN) != 0) {
+  }
+  wait_for_done();
+  for (int i = 0; i < 60; ++i) {
+    if (bytes_in_l1[100 * (i / 20) + i % 20] != bytes_in_l3[i]) {
+      return DMA_DESCRIPTORS;
+    }
+  }
+  for (int i = 0; i < 2; ++i) {
+    uint32_t at = (uint32_t)(bytes_in_l3 + 58 - 30 * i);
+    array[3 * i] = (uint16_t)at;
+    array[3 * i + 1] = (uint16_t)(at >> 16);
+    array[3 * i + 2] = (uint16_t)(UNIT | (i == 0 ? DMAFLOW_ARRAY | NDSIZE(3) : DMAFLOW_STOP));
+  }
+  source->curr_desc_ptr = (uint32_t)array;
+  source->x_count = 15;
+  source->x_modify = -2;
+  destination->start_addr = (uint32_t)bytes_in_l1;
+  destination->x_count = 30;
+  __builtin_bfin_ssync();
+  source->config = UNIT | DMAFLOW_ARRAY | NDSIZE(3);
+  destination->config = UNIT | WNR;
+  wait_for_done();
+  for (int i = 0; i < 60; ++i) {
+    if (bytes_in_l1[i] != bytes_in_l3[58 - i + 2 * (i % 2)]) {
+      return DMA_DESCRIPTORS;
+    }
+  }
+  return ALL_WELL;
+}
+
+/* Two buffers in turn, by a ring; the source goes round by itself. */
+static enum check check_dma_ring(void) {
+  static struct dma_large_descriptor ring[2];
+  for (int i = 0; i < 2; ++i) {
+    ring[i].next_desc_ptr = &ring[1 - i];
+    ring[i].start_addr = bytes_in_l1 + 64 * i;
+    ring[i].config = UNIT | WNR | DMAFLOW_LARGE | NDSIZE(5);
+  }
+  source->start_addr = (uint32_t)bytes_in_l2;
+  source->x_count = 32;
+  source->x_modify = 2;
+  destination->next_desc_ptr = (uint32_t)ring;
+  destination->x_count = 32;
+  destination->x_modify = 2;
+  __builtin_bfin_ssync();
+  source->config = UNIT | DMAFLOW_AUTO;
+  destination->config = UNIT | WNR | DMAFLOW_LARGE | NDSIZE(5);
+  for (int round = 0; round < 6; ++round) {
+    wait_for_done();
+    if (destination->curr_desc_ptr - (uint32_t)&ring[(round + 1) % 2] > sizeof ring[0]) {
+      return DMA_RING;
+    }
+  }
+  destination->config = 0;
+  source->config = 0;
+  for (int i = 0; i < 128; ++i) {
+    if (bytes_in_l1[i] != bytes_in_l2[i % 64]) {
+      return DMA_RING;
+    }
+  }
+  return ALL_WELL;
+}
+
 /* Loses a wake-up and the machine stands still. */
 static void play_with_core_b(void) {
   SICA_SYSCR &= ~COREB_SRAM_INIT;
@@ -172,6 +270,12 @@ int main(void) {
   }
   if (result == ALL_WELL) {
     result = check_dma_gather();
+  }
+  if (result == ALL_WELL) {
+    result = check_dma_descriptors();
+  }
+  if (result == ALL_WELL) {
+    result = check_dma_ring();
   }
   meet_the_end_of_dma();
   play_with_core_b();

@@ -43,7 +43,7 @@ class MemoryTest : public testing::Test {
   Cycles dma(Direction direction, Address address, std::uint32_t words, Cycles now,
              Initiator initiator = Initiator::mdma1_0) {
     const DmaRun run{.address = address, .stride = 4, .count = words};
-    return memory().dma_burst(initiator, direction, {&run, 1}, 4, now);
+    return memory().dma_burst(initiator, direction, {&run, 1}, 4, now, now);
   }
 
   MemoryMap map_ = bf561_map();
