@@ -93,8 +93,8 @@ class BfinPassConfig : public TargetPassConfig {
   void addPreEmitPass() override {
     addPass(createBfinIndexStreams());
     addPass(createBfinPackets());
-    addPass(createBfinLateForms());
     addPass(createBfinLoopLayout());
+    addPass(createBfinLateForms());  // behind the layout, which writes branches anew
     addPass(&BranchRelaxationPassID);
   }
 };

@@ -247,6 +247,18 @@ TEST_F(Quality, LikelyBranchesArePredicted) {
   EXPECT_EQ(count(body, "(BP)"), 1) << body;
 }
 
+// A hardware loop's layout writes the branches in it anew; what goes round is predicted all the same.
+TEST_F(Quality, BranchesInHardwareLoopsArePredicted) {
+  const std::string body = function_of(
+      compile("void f(int *a, int n) {\n  for (int i = 1; i < n; i++) {\n"
+              "    int v = a[i], *to = a + i;\n"
+              "    while (to > a && to[-1] > v) {\n      *to = to[-1];\n      --to;\n    }\n"
+              "    *to = v;\n  }\n}\n"),
+      "f");
+  EXPECT_EQ(count(body, "LSETUP"), 1) << body;
+  EXPECT_EQ(count(body, "(BP)"), 1) << body;
+}
+
 // Two loops become a call; one whose sum is wanted in each round stays.
 TEST_F(Quality, SumsOfAbsoluteDifferencesAreOneCall) {
   const std::string text = compile(
