@@ -247,7 +247,8 @@ TEST_F(Quality, LikelyBranchesArePredicted) {
   EXPECT_EQ(count(body, "(BP)"), 1) << body;
 }
 
-// A hardware loop's layout writes the branches in it anew; what goes round is predicted all the same.
+// A hardware loop's layout writes the branches in it anew; what goes round is predicted all the
+// same.
 TEST_F(Quality, BranchesInHardwareLoopsArePredicted) {
   const std::string body = function_of(
       compile("void f(int *a, int n) {\n  for (int i = 1; i < n; i++) {\n"
