@@ -49,6 +49,68 @@ TEST_F(MemoryDmaTest, WithoutDiEnDoneIsSetAndTheLineStaysLow) {
   EXPECT_TRUE(lines_.empty());
 }
 
+TEST_F(MemoryDmaTest, StartUpIsFeltToTheCycle) {
+  for (const int sclk : {0, 1, 8, 9, 100}) {
+    parameters_.startup_sclk.set(sclk);
+    build();
+    EXPECT_EQ(copy(*dma1_, 0, kL3, kL1A, 16, kBits32, 100),
+              100 + (l3_to_l1_sclk(1) - 8 + static_cast<Cycles>(sclk)) * kSclk);
+  }
+}
+
+// A burst of n elements at each end, and how the two come together.
+struct Path {
+  const char* name;
+  Address from, to;
+  Cycles read_start, write_start;  // SCLK before the first element
+  bool same;                       // one memory: in turn
+};
+
+class DmaPath : public DmaTest,
+                public testing::WithParamInterface<std::tuple<Path, std::uint32_t, int>> {};
+
+// hardware.md 3.2: a word of any width a SCLK, and what starts a burst; both ends at once where the
+// memories differ, in turn where they do not.
+TEST_P(DmaPath, TakesWhatTheFormulaSays) {
+  const auto& [path, width, burst] = GetParam();
+  memory_parameters_.sdram_refresh_sclk.set(0);
+  memory_parameters_.sdram_trcd_sclk.set(0);
+  memory_parameters_.sdram_turnaround_sclk.set(0);
+  memory_parameters_.sdram_page_bytes.set(65536);
+  parameters_.burst_elements.set(burst);
+  build();
+  constexpr Cycles kBursts = 12;
+  const auto n = static_cast<Cycles>(burst);
+  const Cycles read = path.read_start + n;
+  const Cycles write = path.write_start + n;
+  const Cycles sclk =
+      path.same ? kBursts * (read + write) : read + (kBursts - 1) * std::max(read, write) + write;
+  const auto bytes = pattern(kBursts * n << (width >> 2U));
+  memory_->store_bytes(path.from, bytes);
+  EXPECT_EQ(copy(*dma1_, 0, path.from, path.to, static_cast<std::uint32_t>(kBursts * n), width, 0),
+            (8 + sclk) * kSclk);
+  EXPECT_EQ(bytes_at(path.to, static_cast<std::uint32_t>(bytes.size())), bytes);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, DmaPath,
+    testing::Combine(testing::Values(Path{"l3_l1", kL3, kL1A, 4, 2, false},
+                                     Path{"l1_l3", kL1A, kL3, 2, 3, false},
+                                     Path{"l3_l2", kL3, kL2, 4, 2, false},
+                                     Path{"l2_l3", kL2, kL3, 2, 3, false},
+                                     Path{"l2_l1", kL2, kL1B, 2, 2, false},
+                                     Path{"l1_l2", kL1B, kL2, 2, 2, false},
+                                     Path{"l1_other_l1", kL1A, kL1B, 2, 2, false},
+                                     Path{"l1_same_l1", kL1A, kL1A2, 2, 2, true},
+                                     Path{"l2_l2", kL2, kL2 + 0x10000, 2, 2, true},
+                                     Path{"l3_l3", kL3, kL3 + (16U << 20), 4, 3, true}),
+                     testing::Values(kBits8, kBits16, kBits32), testing::Values(4, 16, 64)),
+    [](const testing::TestParamInfo<std::tuple<Path, std::uint32_t, int>>& path) {
+      return std::string(std::get<0>(path.param).name) + "_" +
+             std::to_string(8U << (std::get<1>(path.param) >> 2U)) + "_bits_by_" +
+             std::to_string(std::get<2>(path.param));
+    });
+
 struct Bandwidth {
   const char* name;
   Address from, to;

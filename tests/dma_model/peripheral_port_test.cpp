@@ -110,8 +110,8 @@ TEST_F(PeripheralPortTest, AnOverrunComesWhenTheBusIsTakenForLonger) {
     EXPECT_EQ(push_all(0, bytes, 32, 1000, 160), bytes.size()) << beside;
     EXPECT_EQ(bytes_at(kL3 + 0x100000, 6300),
               std::vector<std::uint8_t>(bytes.begin(), bytes.begin() + 6300));
-    // Bursts of 64 words under way keep it waiting for longer than its FIFO lasts.
   }
+  // Bursts of 64 words under way keep it waiting for longer than its FIFO lasts.
   parameters_.burst_elements.set(64);
   build();
   program(*dma1_, kPpi0, kL3 + 0x100000, 1600, 4);
