@@ -204,7 +204,7 @@ void MemorySide::check_pair() const {
 }
 
 void MemorySide::end_descriptor() {
-  std::array<std::uint8_t, 2 * kMostDescriptorWords> bytes{};
+  std::array<std::uint8_t, std::size_t{2} * kMostDescriptorWords> bytes{};
   std::array<std::uint16_t, kMostDescriptorWords> words{};
   const std::uint32_t count = runs_.front().count;
   memory_.gather(runs_, 2, bytes.data());

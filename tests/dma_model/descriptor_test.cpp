@@ -150,8 +150,8 @@ TEST_F(DescriptorTest, AnArrayGoesOnBehindItselfAndStopsWhereFlowIsZero) {
     }
   }
   const auto bytes = pattern(48);
-  for (const std::uint32_t i : {0U, 1U, 2U}) {
-    EXPECT_EQ(bytes_at(kL1A + 0x100 * i, 16),
+  for (const std::ptrdiff_t i : {0, 1, 2}) {
+    EXPECT_EQ(bytes_at(kL1A + 0x100 * static_cast<Address>(i), 16),
               std::vector<std::uint8_t>(bytes.begin() + 16 * i, bytes.begin() + 16 * (i + 1)));
   }
   EXPECT_EQ(interrupts, 2);
