@@ -117,6 +117,7 @@ class DmaController final : public Device {
   bool push(std::uint32_t peripheral, std::span<const std::uint8_t> bytes, Cycles now);
   bool pull(std::uint32_t peripheral, std::span<std::uint8_t> bytes, Cycles now);
   [[nodiscard]] bool running(std::uint32_t peripheral) const;
+  [[nodiscard]] std::uint32_t element_bytes(std::uint32_t peripheral) const;
 
   Controller which_;
   double cclk_mhz_;

@@ -16,6 +16,10 @@ bool PeripheralPort::pull(std::span<std::uint8_t> bytes, Cycles now) {
 
 bool PeripheralPort::running() const { return controller_->running(peripheral_); }
 
+std::uint32_t PeripheralPort::element_bytes() const {
+  return controller_->element_bytes(peripheral_);
+}
+
 // The lane that serves `peripheral`, checked for its direction; nullptr: none does.
 DmaController::Lane* DmaController::lane_for(std::uint32_t peripheral, bool receives) {
   const std::uint32_t number = lane_by_peripheral_[peripheral];
@@ -68,6 +72,12 @@ bool DmaController::running(std::uint32_t peripheral) const {
   }
   const DmaChannel& channel = lanes_[number].side->channel();
   return channel.running() && !channel.finishing();
+}
+
+std::uint32_t DmaController::element_bytes(std::uint32_t peripheral) const {
+  return running(peripheral)
+             ? lanes_[lane_by_peripheral_[peripheral]].side->channel().shape().element_bytes
+             : 0;
 }
 
 }  // namespace finback::dma

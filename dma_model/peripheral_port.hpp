@@ -40,6 +40,8 @@ class PeripheralPort {
   bool pull(std::span<std::uint8_t> bytes, Cycles now);
   // Its channel is enabled and has not come to its end.
   [[nodiscard]] bool running() const;
+  // Bytes of the channel's element, WDSIZE; 0 while it does not run.
+  [[nodiscard]] std::uint32_t element_bytes() const;
   // Called when a burst has come from memory into the FIFO.
   void set_refilled(std::function<void(Cycles now)> refilled) { refilled_ = std::move(refilled); }
   void refilled(Cycles now) const {

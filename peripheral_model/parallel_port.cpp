@@ -305,12 +305,13 @@ void ParallelPort::register_counters(CounterRegistry& registry) const {
   std::ranges::transform(prefix, prefix.begin(), [](char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
-  registry.add(prefix + "frames", "events", "frames of the camera that the port read whole",
+  registry.add(prefix + "frames.events", "events", "frames of the camera that the port read whole",
                &frames_);
-  registry.add(prefix + "bytes", "bytes", "bytes that the port handed to its DMA channel", &bytes_);
+  registry.add(prefix + "captured.bytes", "bytes", "bytes that the port handed to its DMA channel",
+               &bytes_);
   registry.add(prefix + "lost.bytes", "bytes", "bytes that were lost: the DMA's FIFO was full",
                &lost_bytes_);
-  registry.add(prefix + "frame_errors", "events", "frame track errors: not FRAME lines",
+  registry.add(prefix + "frame_errors.events", "events", "frame track errors: not FRAME lines",
                &frame_errors_);
 }
 

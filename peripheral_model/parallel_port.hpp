@@ -45,7 +45,7 @@ class ParallelPort final : public Device {
   void write(std::uint32_t offset, int bytes, std::uint32_t value, Cycles now) override;
   void advance(Cycles now) override;
 
-  // NAME.frames, .bytes, .lost.bytes, .frame_errors, in lower case.
+  // NAME.frames.events, .captured.bytes, .lost.bytes, .frame_errors.events, in lower case.
   void register_counters(CounterRegistry& registry) const;
 
  private:

@@ -135,7 +135,7 @@ std::optional<report::Accuracy> gather_accuracy(const scenes::FloatImage& truth,
 
 scenes::FloatImage truth_of_last_map(const RunInputs& inputs, machine::Machine& machine) {
   const std::vector<machine::PublishedMap>& maps = machine.host().maps();
-  return inputs.sequence && !maps.empty() ? inputs.sequence->truth(maps.back().frame_number)
+  return inputs.sequence && !maps.empty() ? inputs.sequence->truth(maps.back().picture)
                                           : inputs.scene.truth;
 }
 

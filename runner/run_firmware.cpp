@@ -4,6 +4,7 @@
 #include <common/error.hpp>
 #include <isa_sim/ir/linker.hpp>
 #include <isa_sim/machine/machine.hpp>
+#include <isa_sim/machine/peripherals.hpp>
 #include <runner/gather_result.hpp>
 #include <runner/run_firmware.hpp>
 
@@ -51,6 +52,29 @@ machine::StereoFrame pair_of(const RunInputs& inputs, std::uint32_t number) {
   return {pair.left.pixels(), pair.right.pixels()};
 }
 
+// A camera shows pair n in frame n; one that stands still is converted once.
+void connect_camera(const RunInputs& inputs, peripheral::Camera::Side side,
+                    machine::Peripherals& peripherals) {
+  const peripheral::Camera& camera = peripherals.camera(side);
+  const bool left = side == peripheral::Camera::Side::left;
+  auto pictures = [&inputs, left, width = camera.width(), height = camera.height(),
+                   kept =
+                       std::shared_ptr<const peripheral::Picture>()](std::uint32_t number) mutable {
+    if (!kept || inputs.sequence) {
+      const scenes::LumaPair* pair = inputs.sequence ? &inputs.sequence->pair(number) : nullptr;
+      const scenes::ByteImage& view = pair == nullptr
+                                          ? (left ? inputs.scene.left : inputs.scene.right)
+                                          : (left ? pair->left : pair->right);
+      kept = std::make_shared<peripheral::Picture>(peripheral::Picture{
+          width, height,
+          view.width() == width ? view.pixels() : scenes::resize(view, width, height).pixels()});
+    }
+    return kept;
+  };
+  peripherals.connect_camera(side, std::move(pictures),
+                             inputs.camera_troubles.at(static_cast<std::size_t>(side)));
+}
+
 }  // namespace
 
 RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
@@ -60,6 +84,10 @@ RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
   machine::HostPort& host = machine.host();
   host.set_frame_source([&](std::uint32_t number) { return pair_of(inputs, number); },
                         inputs.frames);
+  for (const peripheral::Camera::Side side :
+       {peripheral::Camera::Side::left, peripheral::Camera::Side::right}) {
+    connect_camera(inputs, side, machine.peripherals());
+  }
   PortFiles ports(inputs.ports, inputs.machine->clock.cclk_mhz);
   ports.attach(machine);
   if (inputs.check_races) {

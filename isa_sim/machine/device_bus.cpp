@@ -40,11 +40,23 @@ DeviceBus::DeviceBus(const MachineDescription& description, memory::MemorySystem
             line_setter()),
       imdma_(dma::Controller::imdma, description.dma, description.clock, memory,
              {.stream_0 = kImdmaStream0, .error = kImdmaError}, line_setter()),
-      peripherals_(description, {.line = line_setter(),
-                                 .watchdog_line =
-                                     [this](int core, bool level, Cycles at) {
-                                       interrupts_.set_core_line(core, kWatchdog, level, at);
-                                     }}),
+      peripherals_(description,
+                   {.line = [this](int source, bool level,
+                                   Cycles at) { interrupts_.set_line(source, level, at, 1); },
+                    .watchdog_line =
+                        [this](int core, bool level, Cycles at) {
+                          interrupts_.set_core_line(core, kWatchdog, level, at);
+                        },
+                    .capture =
+                        [this](int port, std::span<const std::uint8_t> bytes, Cycles now) {
+                          return dma1_.port(static_cast<std::uint32_t>(port)).push(bytes, now);
+                        },
+                    .capture_element =
+                        [this](int port) {
+                          return dma1_.port(static_cast<std::uint32_t>(port)).element_bytes();
+                        },
+                    .captured = [this](std::uint32_t frame,
+                                       Cycles at) { host_.frame_captured(frame, at); }}),
       mappings_{{0xFFC00100, InterruptRegisters::kBytes, "SICA_", &sica_},
                 {0xFFC01100, InterruptRegisters::kBytes, "SICB_", &sicb_},
                 {0xFFC01B00, dma::DmaController::kRegisterBytes, "", &dma1_},
@@ -69,6 +81,7 @@ void DeviceBus::register_counters(CounterRegistry& registry) const {
   for (const dma::DmaController* controller : {&dma1_, &dma2_, &imdma_}) {
     controller->register_counters(registry);
   }
+  peripherals_.register_counters(registry);
 }
 
 const DeviceBus::Mapping* DeviceBus::find_mapping(Address address) const {

@@ -1,9 +1,9 @@
 // The peripheral bus and everything on it: system registers from 0xFFC00000 to 0xFFDFFFFF.
 //
-// Models: DMA1, DMA2, IMDMA, SICA and SICB, watchdogs, timers, flags, the UART,
-// the host port; reads that hold the core, posted writes. A write takes effect at the time it is
-// made, though the bus is busy with it for a while; SSYNC waits for that. Does not model: PPI, PLL,
-// SPORT, SPI: an access there is a GuestFault that names the nearest register there is. Source:
+// Models: DMA1, DMA2, IMDMA, SICA and SICB, parallel ports, watchdogs, timers, flags, the UART, the
+// host port; reads that hold the core, posted writes. A write takes effect at the time it is made,
+// though the bus is busy with it for a while; SSYNC waits for that. Does not model: PLL, SPORT,
+// SPI: an access there is a GuestFault that names the nearest register there is. Source:
 // hardware.md 1.6, 3.1, 4.
 #pragma once
 

@@ -65,7 +65,7 @@ std::uint32_t HostPort::read(std::uint32_t offset, int /*bytes*/, Cycles /*now*/
     case kMapSize:
       return map_size_;
     case kFrameNumber:
-      if (grabbed_at_.empty()) {
+      if (grabbed_.empty()) {
         throw GuestFault("HOST_FRAME_NUMBER was read before the first FRAME_GRAB");
       }
       return frames_grabbed() - 1;
@@ -123,7 +123,7 @@ void HostPort::grab(std::uint32_t value, Cycles now) {
   check_size(frame, frames_grabbed());
   fill(left_address_, frame.left, "FRAME_LEFT_ADDRESS");
   fill(right_address_, frame.right, "FRAME_RIGHT_ADDRESS");
-  grabbed_at_.push_back(now);
+  grabbed_.push_back({frames_grabbed(), now});
 }
 
 std::uint8_t* HostPort::buffer(Address address, std::uint32_t size, memory::Direction direction,
@@ -150,17 +150,20 @@ void HostPort::publish(std::uint32_t frame_number, Cycles now) {
                     "height << 16",
                     map_size_, width, height));
   }
-  if (frame_number >= frames_grabbed()) {
-    throw GuestFault(fmt::format("HOST_MAP_PUBLISH = {}: {} frames were grabbed so far",
-                                 frame_number, frames_grabbed()));
+  const bool grabs = !grabbed_.empty() || captured_.empty();
+  const std::vector<Seen>& seen = grabs ? grabbed_ : captured_;
+  if (frame_number >= seen.size()) {
+    throw GuestFault(fmt::format("HOST_MAP_PUBLISH = {}: {} frames were {} so far", frame_number,
+                                 seen.size(), grabs ? "grabbed" : "captured"));
   }
   const std::uint8_t* bytes =
       buffer(map_address_, width * height, memory::Direction::read, "MAP_ADDRESS");
   maps_.push_back({.frame_number = frame_number,
+                   .picture = seen[frame_number].picture,
                    .width = width,
                    .height = height,
                    .bytes = std::vector<std::uint8_t>(bytes, bytes + std::size_t{width} * height),
-                   .grabbed_at = grabbed_at_[frame_number],
+                   .grabbed_at = seen[frame_number].at,
                    .published_at = now});
   if (map_listener_) {
     map_listener_(maps_.back());

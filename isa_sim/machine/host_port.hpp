@@ -2,8 +2,8 @@
 //
 // Models: 32-bit registers at 0xFFC0F000 (HostRegister) through which firmware asks the host for
 // the next pair of 640x480 luma images, publishes result maps, prints and stops. Grabbing takes no
-// time: it stands for the cameras until their parallel ports are modelled; its bytes are counted as
-// initiator `host`.
+// time: it stands for cameras and a driver of them; its bytes are counted as initiator `host`. Maps
+// may also belong to frames that a firmware captures by the parallel port of the left camera.
 #pragma once
 
 #include <cstdint>
@@ -41,10 +41,11 @@ struct StereoFrame {
 
 struct PublishedMap {
   std::uint32_t frame_number = 0;
+  std::uint32_t picture = 0;  // number of the pair that the cameras saw
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::vector<std::uint8_t> bytes;  // width * height
-  Cycles grabbed_at = 0;            // when the frame of that number was grabbed
+  Cycles grabbed_at = 0;            // when the frame of that number was grabbed or captured
   Cycles published_at = 0;
 };
 
@@ -63,8 +64,11 @@ class HostPort final : public Device {
   // when `frames` is empty or an image has another size.
   void set_frames(std::vector<StereoFrame> frames, std::uint32_t count);
   [[nodiscard]] const std::vector<PublishedMap>& maps() const { return maps_; }
+  // The left camera's port has read a whole frame: the next that maps can belong to, where nothing
+  // was grabbed.
+  void frame_captured(std::uint32_t picture, Cycles at) { captured_.push_back({picture, at}); }
   [[nodiscard]] std::uint32_t frames_grabbed() const {
-    return static_cast<std::uint32_t>(grabbed_at_.size());
+    return static_cast<std::uint32_t>(grabbed_.size());
   }
   // Called with each line that the firmware prints, without its end; lines keep their order.
   void set_console(std::function<void(const std::string& line)> console) {
@@ -100,7 +104,12 @@ class HostPort final : public Device {
   memory::MemorySystem& memory_;
   Frames frames_;
   std::uint32_t frame_count_ = 0;
-  std::vector<Cycles> grabbed_at_;
+  struct Seen {
+    std::uint32_t picture = 0;
+    Cycles at = 0;
+  };
+  std::vector<Seen> grabbed_;
+  std::vector<Seen> captured_;  // by a parallel port
   std::uint32_t left_address_ = 0;
   std::uint32_t right_address_ = 0;
   std::uint32_t map_address_ = 0;

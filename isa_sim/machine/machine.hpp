@@ -2,8 +2,8 @@
 //
 // Models: actors (core A, core B, devices) ordered by (time, number). A core runs ahead on its
 // own L1 memory; at the first access that others can see it waits until everybody has reached that
-// time, so that results do not depend on the host. Does not model yet: caches, cameras on the PPIs,
-// power modes, changes of clock (docs/architecture.md).
+// time, so that results do not depend on the host. Does not model yet: caches, power modes,
+// changes of clock (docs/architecture.md).
 #pragma once
 
 #include <functional>

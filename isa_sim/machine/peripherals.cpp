@@ -6,8 +6,10 @@
 
 namespace finback::machine {
 
+using peripheral::Camera;
 using peripheral::Flags;
 using peripheral::GeneralTimers;
+using peripheral::ParallelPort;
 using peripheral::PinChange;
 using peripheral::Uart;
 using peripheral::Watchdog;
@@ -29,6 +31,12 @@ int source_of(Uart::Line line) {
 
 Peripherals::Peripherals(const MachineDescription& description, const Wires& wires)
     : wires_(wires),
+      cameras_{{{Camera::Side::left, description.camera, description.clock.cclk_mhz},
+                {Camera::Side::right, description.camera, description.clock.cclk_mhz}}},
+      ports_{{{"PPI0", cameras_[0], description.peripherals, description.clock.sclk_mhz,
+               port_outputs(0)},
+              {"PPI1", cameras_[1], description.peripherals, description.clock.sclk_mhz,
+               port_outputs(1)}}},
       watchdogs_{{{"WDOGA", description.clock.ratio(), watchdog_outputs(0)},
                   {"WDOGB", description.clock.ratio(), watchdog_outputs(1)}}},
       uart_(description.peripherals, description.clock.ratio(),
@@ -49,6 +57,20 @@ Watchdog::Outputs Peripherals::watchdog_outputs(int core) {
           .line = [this, core](bool level, Cycles at) { wires_.watchdog_line(core, level, at); }};
 }
 
+ParallelPort::Outputs Peripherals::port_outputs(int port) {
+  return {.push = [this, port](std::span<const std::uint8_t> bytes,
+                               Cycles now) { return wires_.capture(port, bytes, now); },
+          .element_bytes = [this, port] { return wires_.capture_element(port); },
+          .error_line = [this, port](bool level,
+                                     Cycles at) { wires_.line(kPpi0Error + port, level, at); },
+          .captured =
+              [this, port](std::uint32_t frame, Cycles at) {
+                if (port == 0) {
+                  wires_.captured(frame, at);
+                }
+              }};
+}
+
 Flags::Outputs Peripherals::flag_outputs(int port) {
   return {.line = [this, port](int mask, bool level,
                                Cycles at) { wires_.line(kFlags0A + 2 * port + mask, level, at); },
@@ -61,7 +83,9 @@ Flags::Outputs Peripherals::flag_outputs(int port) {
 }
 
 std::vector<DeviceMapping> Peripherals::mappings() {
-  return {{0xFFC00200, Watchdog::kRegisterBytes, "WDOGA_", &watchdogs_[0]},
+  return {{0xFFC01000, ParallelPort::kRegisterBytes, "PPI0_", ports_.data()},
+          {0xFFC01300, ParallelPort::kRegisterBytes, "PPI1_", &ports_[1]},
+          {0xFFC00200, Watchdog::kRegisterBytes, "WDOGA_", &watchdogs_[0]},
           {0xFFC01200, Watchdog::kRegisterBytes, "WDOGB_", &watchdogs_[1]},
           {0xFFC00400, Uart::kRegisterBytes, "UART_", &uart_},
           {0xFFC00600, GeneralTimers::register_bytes(8), "", &timers8_},
@@ -81,6 +105,12 @@ void Peripherals::drive_flags(const std::vector<PinChange>& changes) {
   }
   for (std::size_t port = 0; port < flags_.size(); ++port) {
     flags_.at(port).drive(std::move(by_port.at(port)));
+  }
+}
+
+void Peripherals::register_counters(CounterRegistry& registry) const {
+  for (const ParallelPort& port : ports_) {
+    port.register_counters(registry);
   }
 }
 

@@ -13,8 +13,10 @@
 #include <common/counters.hpp>
 #include <common/device.hpp>
 #include <isa_sim/machine/machine_description.hpp>
+#include <peripheral_model/camera.hpp>
 #include <peripheral_model/flags.hpp>
 #include <peripheral_model/general_timers.hpp>
+#include <peripheral_model/parallel_port.hpp>
 #include <peripheral_model/uart.hpp>
 #include <peripheral_model/watchdog.hpp>
 
@@ -34,6 +36,11 @@ class Peripherals {
   struct Wires {
     std::function<void(int source, bool level, Cycles at)> line;
     std::function<void(int core, bool level, Cycles at)> watchdog_line;  // to its core alone
+    // The DMA channels of PPI0 and PPI1, as ParallelPort::Outputs says.
+    std::function<bool(int port, std::span<const std::uint8_t> bytes, Cycles now)> capture;
+    std::function<std::uint32_t(int port)> capture_element;
+    // PPI0, the left camera's, has read a whole frame.
+    std::function<void(std::uint32_t frame, Cycles at)> captured;
   };
 
   Peripherals(const MachineDescription& description, const Wires& wires);
@@ -49,6 +56,14 @@ class Peripherals {
   };
   void set_watchdog_events(WatchdogEvents events) { watchdog_events_ = std::move(events); }
 
+  // Connects a camera, which none is before; before the run.
+  void connect_camera(peripheral::Camera::Side side, peripheral::Camera::Pictures pictures,
+                      const std::vector<peripheral::FrameTrouble>& troubles) {
+    camera(side).connect(std::move(pictures), troubles);
+  }
+  [[nodiscard]] peripheral::Camera& camera(peripheral::Camera::Side side) {
+    return cameras_.at(static_cast<std::size_t>(side));
+  }
   [[nodiscard]] peripheral::Uart& uart() { return uart_; }
   // Drives flags that are inputs, in the order of time; before the run. Throws InputError for a pin
   // that there is not.
@@ -57,14 +72,18 @@ class Peripherals {
   void set_flag_listener(std::function<void(const peripheral::PinChange&)> listener) {
     flag_listener_ = std::move(listener);
   }
+  void register_counters(CounterRegistry& registry) const;
 
  private:
   peripheral::Flags::Outputs flag_outputs(int port);
   peripheral::Watchdog::Outputs watchdog_outputs(int core);
+  peripheral::ParallelPort::Outputs port_outputs(int port);
 
   Wires wires_;
   WatchdogEvents watchdog_events_;
   std::function<void(const peripheral::PinChange&)> flag_listener_;
+  std::array<peripheral::Camera, 2> cameras_;
+  std::array<peripheral::ParallelPort, 2> ports_;
   std::array<peripheral::Watchdog, kCoreCount> watchdogs_;
   peripheral::Uart uart_;
   peripheral::GeneralTimers timers8_;

@@ -42,7 +42,7 @@ std::string registers_as_markdown() {
   for (const DeviceMapping& mapping : mappings) {
     for (std::uint32_t offset = 0; offset < mapping.size; offset += 4) {
       if (const DeviceRegister* found = mapping.device->find_register(offset)) {
-        fmt::format_to(std::back_inserter(page), "| {:#010X} | `{}` | {} |\n",
+        fmt::format_to(std::back_inserter(page), "| 0x{:08X} | `{}` | {} |\n",
                        mapping.base + offset, bus.register_name(mapping.base + offset),
                        sizes(found->width));
       }

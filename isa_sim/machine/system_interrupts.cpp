@@ -187,9 +187,12 @@ void SystemInterrupts::set_core_line(int core, int source, bool level, Cycles no
   set(core, source, level, now, peripheral_latency_);
 }
 
-void SystemInterrupts::set_line(int source, bool level, Cycles now) {
+void SystemInterrupts::set_line(int source, bool level, Cycles now, unsigned driver) {
+  std::uint8_t& drivers = drivers_.at(static_cast<std::size_t>(source));
+  const auto mine = static_cast<std::uint8_t>(1U << driver);
+  drivers = static_cast<std::uint8_t>(level ? drivers | mine : drivers & ~mine);
   for (int core = 0; core < kCoreCount; ++core) {
-    set(core, source, level, now, peripheral_latency_);
+    set(core, source, drivers != 0, now, peripheral_latency_);
   }
 }
 

@@ -24,6 +24,8 @@ enum InterruptSource : int {
   kDma1Error = 1,
   kDma2Error = 2,
   kImdmaError = 3,
+  kPpi0Error = 4,
+  kPpi1Error = 5,
   kUartError = 9,
   kDma1Channel0 = 11,  // PPI0; PPI1 is the next one
   kDma2Channel0 = 23,
@@ -59,8 +61,9 @@ class SystemInterrupts {
   [[nodiscard]] std::uint32_t read(int core, std::uint32_t offset) const;
   void write(int core, std::uint32_t offset, std::uint32_t value, Cycles now);
 
-  // A peripheral's line, seen by both cores' controllers.
-  void set_line(int source, bool level, Cycles now);
+  // A peripheral's line, seen by both cores' controllers. A source that two devices share is up
+  // while either's line is: they are told apart by `driver`, 0 or 1.
+  void set_line(int source, bool level, Cycles now, unsigned driver = 0);
   // One that only `core` sees.
   void set_core_line(int core, int source, bool level, Cycles now);
 
@@ -98,8 +101,9 @@ class SystemInterrupts {
   Cycles peripheral_latency_;
   Outputs outputs_;
   std::array<Controller, kCoreCount> controllers_;
-  std::uint32_t sica_syscr_ = 0x20;  // COREB_SRAM_INIT: core B held
-  std::vector<Rise> rises_;          // few; in the order in which they were raised
+  std::array<std::uint8_t, kSourceCount> drivers_{};  // bit by driver
+  std::uint32_t sica_syscr_ = 0x20;                   // COREB_SRAM_INIT: core B held
+  std::vector<Rise> rises_;                           // few; in the order in which they were raised
   Cycles next_event_ = kNever;
   memory::AccessObserver* observer_ = nullptr;
 };

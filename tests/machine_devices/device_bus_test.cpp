@@ -51,7 +51,8 @@ TEST_F(DeviceBusTest, RegistersHaveTheBf561sNames) {
   EXPECT_EQ(bus_.register_name(0xFFC00F44), "MDMA2_S0_START_ADDR");
   EXPECT_EQ(bus_.register_name(0xFFC018B8), "IMDMA_D1_CURR_Y_COUNT");
   EXPECT_EQ(bus_.register_name(0xFFC0F00C), "HOST_FRAME_GRAB");
-  EXPECT_EQ(bus_.register_name(0xFFC01000), "");
+  EXPECT_EQ(bus_.register_name(0xFFC01310), "PPI1_FRAME");
+  EXPECT_EQ(bus_.register_name(0xFFC00500), "");
 }
 
 TEST_F(DeviceBusTest, EveryNamedRegisterCanBeReadUnlessItsFaultSaysWhyNot) {
@@ -69,7 +70,7 @@ TEST_F(DeviceBusTest, EveryNamedRegisterCanBeReadUnlessItsFaultSaysWhyNot) {
     }
   }
   const int dma = 2 * (16 * 13 + 2) + 4 * 12;
-  EXPECT_EQ(registers, 2 * 15 + dma + 10 + 2 * 3 + 9 + 12 * 4 + 2 * 3 + 3 * 17);
+  EXPECT_EQ(registers, 2 * 15 + dma + 10 + 2 * 5 + 2 * 3 + 9 + 12 * 4 + 2 * 3 + 3 * 17);
 }
 
 TEST_F(DeviceBusTest, AReadHoldsTheCoreAndAWriteOnlyBehindAnother) {
@@ -88,7 +89,7 @@ TEST_F(DeviceBusTest, WhatIsNoRegisterNamesTheNearest) {
               ThrowsMessage<GuestFault>(
                   HasSubstr("0xffc01f0c: no device register is modelled there (the nearest is "
                             "MDMA1_D0_CONFIG at 0xffc01f08)")));
-  EXPECT_THAT([&] { read(0xFFC01300); },  // PPI1
+  EXPECT_THAT([&] { read(0xFFC00800); },  // SPORT0
               ThrowsMessage<GuestFault>(testing::EndsWith("no device register is modelled there")));
 }
 

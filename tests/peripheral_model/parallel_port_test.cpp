@@ -181,7 +181,7 @@ TEST_F(ParallelPortTest, WhatNobodyTakesIsOverrunAndRaisesTheErrorInterruptOnce)
   CounterRegistry registry;
   port_->register_counters(registry);
   EXPECT_EQ(registry.snapshot().at("ppi0.lost.bytes").value, 640U * 480);
-  EXPECT_EQ(registry.snapshot().at("ppi0.bytes").value, 0U);
+  EXPECT_EQ(registry.snapshot().at("ppi0.captured.bytes").value, 0U);
 }
 
 TEST_F(ParallelPortTest, ALineBeyondFrameIsATrackErrorWhenItBegins) {
