@@ -130,7 +130,7 @@ void PortFiles::write() const {
 machine::StopInfo run_with_ports(machine::Machine& machine, const machine::RunLimits& limits,
                                  const PortFiles& ports) {
   try {
-    const machine::StopInfo stop = machine.run(limits);
+    machine::StopInfo stop = machine.run(limits);
     ports.write();
     return stop;
   } catch (const GuestFault&) {
