@@ -10,6 +10,7 @@ packages=(
   llvm-19-dev clang-19 zlib1g-dev libzstd-dev
   # libraries of the simulator and its tools
   libopencv-calib3d-dev libopencv-core-dev libopencv-imgcodecs-dev libopencv-imgproc-dev
+  libopencv-videoio-dev
   libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libeigen3-dev
   # finback explore: the table of finished points, and its plot
   libsqlite3-dev gnuplot-nox
@@ -47,9 +48,4 @@ echo "setup: installing ${#missing[@]} of ${#packages[@]} packages: ${missing[*]
 "${as_root[@]}" apt-get update --quiet
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
   apt-get install --yes --quiet --no-install-recommends "${missing[@]}"
-# Videos as sources of frames: many packages behind one, and everything else works without.
-if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get install --yes --quiet --no-install-recommends libopencv-videoio-dev; then
-  echo "setup: without libopencv-videoio-dev: finback will read no videos" >&2
-fi
 echo "setup: done"
