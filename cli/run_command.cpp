@@ -38,6 +38,7 @@ struct Options {
   std::string out = "out";
   std::string trace_counters;
   bool check = false;
+  std::size_t stale_lines = 0;
 };
 
 void write_map(const machine::PublishedMap& map, const std::filesystem::path& path) {
@@ -88,7 +89,7 @@ int run(const Options& options) {
   const runner::RunInputs inputs = runner::load_inputs(options.request);
   OutputFolder folder(options.out);
 
-  const std::optional<runner::RunOutcome> watched = run_watched(inputs);
+  const std::optional<runner::RunOutcome> watched = run_watched(inputs, options.stale_lines);
   if (!watched) {
     return kInterrupted;
   }
@@ -124,6 +125,11 @@ void add_run_command(CLI::App& app, Action& action) {
   command->add_flag("--check", options->check, "Exit with 3 when a target is missed");
   command->add_flag("--check-races", options->request.check_races,
                     "Also find accesses of cores and DMA that nothing orders; exit with 3 then");
+  command
+      ->add_option("--warn-stale", options->stale_lines,
+                   "Say on stderr who saw old data because of a cache: at most N lines")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000));
   command->add_option("--trace-counters", options->trace_counters,
                       "Also write the golden trace's counters to this file");
   command->callback([&action, options] { action = [options] { return run(*options); }; });

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/format.h>
 
 #include <cli/progress.hpp>
@@ -5,7 +6,25 @@
 
 namespace finback::cli {
 
-std::optional<runner::RunOutcome> run_watched(const runner::RunInputs& inputs) {
+namespace {
+
+void warn_of_stale_data(const std::vector<std::string>& lines, std::size_t most) {
+  for (std::size_t i = 0; i < std::min(lines.size(), most); ++i) {
+    fmt::print(stderr, "finback: old data: {}\n", lines[i]);
+  }
+  if (lines.size() > most) {
+    fmt::print(stderr, "finback: old data: {} more such lines (--warn-stale N shows N)\n",
+               lines.size() - most);
+  }
+  if (lines.empty()) {
+    fmt::print(stderr, "finback: nobody saw old data because of a cache\n");
+  }
+}
+
+}  // namespace
+
+std::optional<runner::RunOutcome> run_watched(const runner::RunInputs& inputs,
+                                              std::size_t stale_lines) {
   ProgressBar bar(inputs.frames);
   runner::RunObserver observer;
   observer.cancelled = [&](Cycles now, std::uint32_t frames_done) {
@@ -19,6 +38,12 @@ std::optional<runner::RunOutcome> run_watched(const runner::RunInputs& inputs) {
     bar.wipe();
     fmt::print(stderr, "firmware: {}\n", line);
   };
+  if (stale_lines > 0) {
+    observer.stale = [&](const std::vector<std::string>& lines) {
+      bar.wipe();
+      warn_of_stale_data(lines, stale_lines);
+    };
+  }
   runner::RunOutcome outcome = runner::run_firmware(inputs, observer);
   bar.wipe();
   if (outcome.cancelled || interrupted()) {

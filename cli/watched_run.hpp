@@ -1,6 +1,7 @@
 // One run with somebody watching: a progress bar, the firmware's lines on stderr, Ctrl-C.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include <runner/run_firmware.hpp>
@@ -8,6 +9,8 @@
 namespace finback::cli {
 
 // Empty when Ctrl-C ended it; a line on stderr has then said so. Throws as run_firmware does.
-[[nodiscard]] std::optional<runner::RunOutcome> run_watched(const runner::RunInputs& inputs);
+// `stale_lines`: how many warnings of old data in caches may go to stderr.
+[[nodiscard]] std::optional<runner::RunOutcome> run_watched(const runner::RunInputs& inputs,
+                                                            std::size_t stale_lines = 0);
 
 }  // namespace finback::cli

@@ -207,7 +207,7 @@ void MemorySide::end_descriptor() {
   std::array<std::uint8_t, std::size_t{2} * kMostDescriptorWords> bytes{};
   std::array<std::uint16_t, kMostDescriptorWords> words{};
   const std::uint32_t count = runs_.front().count;
-  memory_.gather(runs_, 2, bytes.data());
+  memory_.gather(runs_, 2, bytes.data(), initiator_);
   for (std::size_t i = 0; i < count; ++i) {
     words[i] = static_cast<std::uint16_t>(bytes[2 * i] | bytes[2 * i + 1] << 8U);
   }
@@ -222,10 +222,10 @@ void MemorySide::end_burst() {
   const std::uint32_t bytes = elements_ * width;
   if (channel_.writes_memory()) {
     fifo_.peek(buffer_.data(), bytes);
-    memory_.scatter(runs_, width, buffer_.data());
+    memory_.scatter(runs_, width, buffer_.data(), initiator_);
     fifo_.drop(bytes);
   } else {
-    memory_.gather(runs_, width, buffer_.data());
+    memory_.gather(runs_, width, buffer_.data(), initiator_);
     fifo_.push(buffer_.data(), bytes);
   }
   const std::uint32_t rows = channel_.walk().rows_done();

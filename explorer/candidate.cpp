@@ -119,7 +119,7 @@ Layout link_layout(const Space& space, const Point& point) {
   const runner::LoadedFirmware firmware = placed_firmware(space, point);
   try {
     return {"", image_hash(ir::link(firmware.firmware.units, firmware.firmware.placement,
-                                    space.base.machine->map))};
+                                    space.base.machine->placement_map()))};
   } catch (const InputError& error) {
     const std::string text = error.what();
     return {without_folders(space, text.substr(0, text.find('\n'))), ""};

@@ -8,6 +8,7 @@ namespace finback::memory {
 
 L2Timing::L2Timing(const MemoryParameters& parameters, Cycles ratio, const Region* region)
     : read_cycles_(static_cast<Cycles>(parameters.l2_read_cycles)),
+      beat_(static_cast<Cycles>(parameters.l2_burst_beat_cycles)),
       write_cycles_(static_cast<Cycles>(parameters.l2_write_cycles)),
       contention_cycles_(static_cast<Cycles>(parameters.l2_contention_cycles)),
       dma_collision_cycles_(static_cast<Cycles>(parameters.l2_dma_collision_cycles)),

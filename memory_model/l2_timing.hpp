@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <common/units.hpp>
+#include <memory_model/line_fill.hpp>
 #include <memory_model/memory_map.hpp>
 #include <memory_model/memory_parameters.hpp>
 
@@ -28,6 +29,18 @@ class L2Timing {
     port_free_at_ = done;
     return done - now - 1;
   }
+  // A line into a core's cache, the word that is waited for first.
+  LineFill line_fill(int core, Address address, Cycles now) {
+    const Cycles first = grant(core, address, now) + read_cycles_;
+    port_free_at_ = first + (kLineBytes / kPortBytes - 1) * beat_;
+    return {.first = first, .beat = beat_, .beat_bytes = kPortBytes};
+  }
+  // Arrival of a line out of a cache, which may start at `start`.
+  Cycles line_write(int core, Address address, Cycles start) {
+    port_free_at_ =
+        grant(core, address, start) + write_cycles_ + (kLineBytes / kPortBytes - 1) * beat_;
+    return port_free_at_;
+  }
   // Arrival of a write that may start at `start`.
   Cycles posted_write(int core, Address address, Cycles start) {
     port_free_at_ = grant(core, address, start) + write_cycles_;
@@ -38,7 +51,11 @@ class L2Timing {
     port_free_at_ = grant(core, address, now) + 2 * read_cycles_;
     return port_free_at_ - now;
   }
-  [[nodiscard]] Cycles fetch_stall() const { return read_cycles_ - 1; }
+  // Instructions, a multiple of 64 bits: stall beyond the issue cycle.
+  Cycles fetch(int core, Address address, std::uint32_t bytes, Cycles now) {
+    port_free_at_ = grant(core, address, now) + read_cycles_ + (bytes / kPortBytes - 1) * beat_;
+    return port_free_at_ - now - 1;
+  }
 
   [[nodiscard]] Cycles dma_free_at() const { return dma_free_at_; }
   // An IMDMA burst on the cores' port, for `cycles`: returns when its last word has passed.
@@ -71,7 +88,10 @@ class L2Timing {
     return start;
   }
 
+  static constexpr Cycles kPortBytes = 8;
+
   Cycles read_cycles_;
+  Cycles beat_;
   Cycles write_cycles_;
   Cycles contention_cycles_;
   Cycles dma_collision_cycles_;

@@ -30,6 +30,12 @@ Traffic MemorySystem::level_traffic(Level level, Initiator initiator, Direction 
       sum += total(span, static_cast<std::size_t>(initiator), static_cast<std::size_t>(direction));
     }
   }
+  const auto core = static_cast<std::size_t>(initiator);
+  if (level == Level::l1 && core < caches_.size()) {
+    for (const auto& bank : caches_[core].traffic) {
+      sum += bank[static_cast<std::size_t>(direction)];
+    }
+  }
   return sum;
 }
 
@@ -43,7 +49,59 @@ std::vector<ObjectTraffic> MemorySystem::objects() const {
       }
     }
   }
+  add_caches(result);
   return result;
+}
+
+// What cores had from their data caches, for those that had anything.
+void MemorySystem::add_caches(std::vector<ObjectTraffic>& objects) const {
+  for (std::size_t core = 0; core < caches_.size(); ++core) {
+    for (std::size_t bank = 0; bank < kDataCacheBanks; ++bank) {
+      const auto& traffic = caches_[core].traffic[bank];
+      if (traffic[0].accesses + traffic[1].accesses == 0) {
+        continue;
+      }
+      const Region& region = *data_bank(static_cast<int>(core), static_cast<int>(bank));
+      ObjectTraffic cache{.name = "(cache)",
+                          .owner = name_of(static_cast<CoreId>(core)),
+                          .region = region.name,
+                          .level = Level::l1,
+                          .address = region.cache_base(),
+                          .size = region.cache_bytes};
+      cache.traffic[core] = traffic;
+      objects.push_back(std::move(cache));
+    }
+  }
+}
+
+void MemorySystem::register_cache_counters(CounterRegistry& registry) const {
+  for (std::size_t core = 0; core < caches_.size(); ++core) {
+    for (std::size_t bank = 0; bank < kDataCacheBanks; ++bank) {
+      const DataCacheCounters& counters = caches_[core].counters[bank];
+      const auto add = [&](const char* what, const char* meaning, const std::uint64_t& value) {
+        registry.add(fmt::format("{}.data_cache.{}.{}.accesses", name_of(static_cast<CoreId>(core)),
+                                 bank == 0 ? "a" : "b", what),
+                     "accesses", meaning, &value);
+      };
+      add("hit", "Loads and stores that found their line in the data cache.", counters.hits);
+      add("miss", "Loads and stores of cacheable data that did not.", counters.misses);
+      add("fill", "Lines brought into the data cache.", counters.fills);
+      add("write_back", "Lines written back from the data cache.", counters.write_backs);
+    }
+  }
+  for (std::size_t core = 0; core < caches_.size(); ++core) {
+    const std::string name = fmt::format("{}.code_cache.", name_of(static_cast<CoreId>(core)));
+    registry.add(name + "hit.accesses", "accesses",
+                 "Fetches of code outside L1 that found their line in the instruction cache.",
+                 &caches_[core].code_hits);
+    registry.add(name + "miss.accesses", "accesses", "Those of cacheable code that did not.",
+                 &caches_[core].code_misses);
+  }
+  for (std::size_t kind = 0; kind < kStaleKinds; ++kind) {
+    registry.add(fmt::format("memory.stale.{}.events", kStaleKindNames[kind]), "events",
+                 "Times that a data cache made somebody see, or leave behind, old data.",
+                 &stale_watch_.count(static_cast<StaleKind>(kind)));
+  }
 }
 
 void MemorySystem::register_counters(CounterRegistry& registry) const {
@@ -77,6 +135,7 @@ void MemorySystem::register_counters(CounterRegistry& registry) const {
                "Refreshes up to the last access to the SDRAM.", &sdram.refreshes);
   registry.add("memory.sdram.busy.cycles", "cycles", "Time that accesses held the external bus.",
                &sdram.busy_cycles);
+  register_cache_counters(registry);
 }
 
 }  // namespace finback::memory

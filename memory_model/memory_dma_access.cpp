@@ -22,6 +22,20 @@ Extent extent_of(const DmaRun& run, std::uint32_t element_bytes) {
   return {std::min(first, last), std::max(first, last) + element_bytes - 1};
 }
 
+// Calls `visit(address, bytes)` for each stretch of neighbouring bytes of a run.
+template <class Visit>
+void for_each_stretch(const DmaRun& run, std::uint32_t element_bytes, const Visit& visit) {
+  if (run.stride == static_cast<std::int32_t>(element_bytes)) {
+    visit(run.address, run.count * element_bytes);
+    return;
+  }
+  Address address = run.address;
+  for (std::uint32_t i = 0; i < run.count; ++i) {
+    visit(address, element_bytes);
+    address += static_cast<Address>(run.stride);
+  }
+}
+
 }  // namespace
 
 std::string MemorySystem::dma_fault(const DmaRun& run, std::uint32_t element_bytes) const {
@@ -40,6 +54,12 @@ std::string MemorySystem::dma_fault(const DmaRun& run, std::uint32_t element_byt
     return fmt::format("{:#010x}: the transfer leaves {}, which ends at {:#010x}",
                        static_cast<std::uint32_t>(past), region->name,
                        static_cast<std::uint32_t>(past < low ? low : high));
+  }
+  for (const std::int64_t end : {extent.low, extent.high}) {
+    if (is_cache(*region, static_cast<Address>(end))) {
+      return fmt::format("{:#010x}: DMA does not reach that part of {}, which is cache",
+                         static_cast<Address>(end), region->name);
+    }
   }
   return "";
 }
@@ -78,13 +98,38 @@ Cycles MemorySystem::dma_words(const Span& span, Direction direction, const DmaR
     }
     case Level::l3:
       return sdram_.dma_words(direction == Direction::write, run.address, run.stride, run.count,
-                              start);
+                              element_bytes, start);
     case Level::l1:
       break;
   }
-  Cycles& free_at = l1_dma_free_at_[static_cast<std::size_t>(span.core)];
+  const auto core = static_cast<std::size_t>(span.core);
+  Cycles& free_at = l1_dma_free_at_[core];
   free_at = start + run.count * l1_dma_word_;
+  pass_through_l1(span, run, start, l1_dma_word_);
   return free_at;
+}
+
+// Lets the core meet the words of a run, of which one passes every `word` cycles.
+void MemorySystem::pass_through_l1(const Span& span, const DmaRun& run, Cycles start, Cycles word) {
+  const auto core = static_cast<std::size_t>(span.core);
+  if (sub_bank_bytes_[core] != 0 && span.core_access) {
+    l1_bursts_[core].add({.first = run.address,
+                          .stride = run.stride,
+                          .words = run.count,
+                          .start = start,
+                          .word = word});
+    set_windows(span.core);
+  }
+}
+
+void MemorySystem::set_windows(int core) {
+  const auto number = static_cast<std::size_t>(core);
+  for (Span* span : l1_data_spans_[number]) {
+    const bool closed = !span->core_access ||
+                        (!l1_bursts_[number].empty() &&
+                         l1_bursts_[number].near(span->base, span->size, sub_bank_bytes_[number]));
+    span->window.size = closed ? 0 : span->size;
+  }
 }
 
 DmaPort MemorySystem::dma_port(Address address) {
@@ -118,6 +163,9 @@ Cycles MemorySystem::dma_burst(Initiator initiator, Direction direction,
   const Span* previous = nullptr;
   for (const DmaRun& run : runs) {
     Span* span = find_any(run.address);
+    if (previous == nullptr && span->level == Level::l1) {
+      l1_bursts_[static_cast<std::size_t>(span->core)].prune(now);
+    }
     if (previous == nullptr) {
       count_wait(*span, initiator, direction, std::max(now, dma_free_at(*span)) - asked_at);
     }
@@ -144,10 +192,15 @@ Cycles MemorySystem::internal_dma_burst(Initiator initiator, Direction direction
     const bool l2 = span->level == Level::l2;
     Cycles& l1_free_at = l1_dma_free_at_[static_cast<std::size_t>(l2 ? 0 : span->core)];
     const Cycles start = std::max(time, l2 ? l2_.port_free_at() : l1_free_at);
+    const Cycles overhead = first ? imdma_overhead_ : 0;
     if (first) {
       count_wait(*span, initiator, direction, start - asked_at);
     }
-    const Cycles cycles = (first ? imdma_overhead_ : 0) + run.count * imdma_word_;
+    if (!l2) {
+      l1_bursts_[static_cast<std::size_t>(span->core)].prune(now);
+      pass_through_l1(*span, run, start + overhead, imdma_word_);
+    }
+    const Cycles cycles = overhead + run.count * imdma_word_;
     time = l2 ? l2_.internal_dma(cycles, start) : l1_free_at = start + cycles;
     count_run(initiator, direction, run, element_bytes);
     first = false;
@@ -173,8 +226,13 @@ void MemorySystem::count_run(Initiator initiator, Direction direction, const Dma
 }
 
 void MemorySystem::gather(std::span<const DmaRun> runs, std::uint32_t element_bytes,
-                          std::uint8_t* to) {
+                          std::uint8_t* to, Initiator initiator, Cycles now) {
   for (const DmaRun& run : runs) {
+    if (watching_) {
+      const Accessor who{initiator};
+      for_each_stretch(run, element_bytes,
+                       [&](Address at, std::uint32_t bytes) { note_read(at, bytes, who, now); });
+    }
     const std::uint8_t* from = find_any(run.address)->at(run.address);
     if (run.stride == static_cast<std::int32_t>(element_bytes)) {
       const std::size_t bytes = std::size_t{run.count} * element_bytes;
@@ -189,8 +247,13 @@ void MemorySystem::gather(std::span<const DmaRun> runs, std::uint32_t element_by
 }
 
 void MemorySystem::scatter(std::span<const DmaRun> runs, std::uint32_t element_bytes,
-                           const std::uint8_t* from) {
+                           const std::uint8_t* from, Initiator initiator) {
   for (const DmaRun& run : runs) {
+    if (watching_) {
+      const Accessor who{initiator};
+      for_each_stretch(run, element_bytes,
+                       [&](Address at, std::uint32_t bytes) { note_write(at, bytes, who); });
+    }
     std::uint8_t* to = find_any(run.address)->at(run.address);
     if (run.stride == static_cast<std::int32_t>(element_bytes)) {
       const std::size_t bytes = std::size_t{run.count} * element_bytes;

@@ -50,10 +50,17 @@ void add_l1(MemoryMap& map, int core, Address base) {
     map.regions.push_back(make_region(name, base + offset, kilobytes, Level::l1, core));
     return map.regions.back();
   };
-  add("l1.data.a", 0, 32).data = true;
-  add("l1.data.b", 0x100000, 32).data = true;
+  const auto add_data = [&](const char* name, Address offset) {
+    Region& bank = add(name, offset, 32);
+    bank.data = true;
+    bank.cache_bytes = 16 * kKilobyte;
+  };
+  add_data("l1.data.a", 0);
+  add_data("l1.data.b", 0x100000);
   add("l1.code", 0x200000, 16).code = true;
-  add("l1.code.cache", 0x210000, 16).code = true;
+  Region& code = add("l1.code.cache", 0x210000, 16);
+  code.code = true;
+  code.cache_bytes = code.size;
   Region& scratch = add("l1.scratch", 0x300000, 4);
   scratch.data = true;
   scratch.dma_reachable = false;

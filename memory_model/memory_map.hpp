@@ -48,10 +48,13 @@ struct Region {
   Address base = 0;
   std::uint32_t size = 0;
   Level level = Level::l1;
-  int core = -1;              // whose L1 it is: 0 or 1; -1: shared by both
-  bool code = false;          // instructions may be placed here
-  bool data = false;          // objects and stacks may be placed here
-  bool dma_reachable = true;  // scratchpad is not
+  int core = -1;                  // whose L1 it is: 0 or 1; -1: shared by both
+  bool code = false;              // instructions may be placed here
+  bool data = false;              // objects and stacks may be placed here
+  bool dma_reachable = true;      // scratchpad is not
+  std::uint32_t cache_bytes = 0;  // its last bytes, which can be a cache instead; L1 only
+  // The first byte that can be cache.
+  [[nodiscard]] Address cache_base() const { return base + (size - cache_bytes); }
   [[nodiscard]] bool contains(Address address, std::uint32_t bytes = 1) const {
     return address - base < size && bytes <= size - (address - base);
   }

@@ -61,6 +61,31 @@ struct MemoryParameters final : ParameterGroup {
       this,
       {"memory.imdma.word_cycles", "CCLK", 3, 1, 64, 'M', "hardware.md 3.2",
        "one element of IMDMA at either end, of any width (2 to 4 cycles)"}};
+  IntegerParameter l2_burst_beat_cycles{
+      this,
+      {"memory.l2.burst_beat_cycles", "CCLK", 2, 1, 64, 'M', "hardware.md 2.3",
+       "each further 64 bits of a cache line, to or from L2"}};
+
+  // --- caches: what holds without code that sets them up ---
+  IntegerParameter cache_data_banks{
+      this,
+      {"memory.cache.data_banks", "", 0, 0, 2, 'V', "hardware.md 2.2",
+       "banks of each core's L1 data memory whose upper half is cache from reset on (DMC of "
+       "DMEM_CONTROL): none, A, or A and B"}};
+  IntegerParameter cache_code{
+      this,
+      {"memory.cache.code", "", 0, 0, 1, 'V', "hardware.md 2.2",
+       "1: the upper half of each core's L1 instruction memory is cache from reset on (IMC of "
+       "IMEM_CONTROL), and code of L2 and L3 is cached while CPLBs are off"}};
+  IntegerParameter cache_l2_policy{
+      this,
+      {"memory.cache.l2_policy", "", 0, 0, 3, 'V', "hardware.md 2.2",
+       "data of L2 while CPLBs are off: 0 uncached, as on the chip; 1 write-through; 2 the same, "
+       "stores bring lines in; 3 write-back"}};
+  IntegerParameter cache_l3_policy{
+      this,
+      {"memory.cache.l3_policy", "", 0, 0, 3, 'V', "hardware.md 2.2",
+       "data of L3 while CPLBs are off: 0 to 3 as memory.cache.l2_policy"}};
 
   // --- SDRAM and the external bus ---
   IntegerParameter sdram_cl_sclk{this,
@@ -110,6 +135,10 @@ struct MemoryParameters final : ParameterGroup {
       this,
       {"memory.sdram.refresh_sclk", "SCLK", 12, 0, 64, 'D', "hardware.md 2.4",
        "time that a refresh takes the bus (tRP + tRFC); 0: rows are never refreshed"}};
+  IntegerParameter sdram_bus_bytes{
+      this,
+      {"memory.sdram.bus_bytes", "bytes", 4, 2, 4, 'V', "hardware.md 2.4",
+       "width of the external data bus: 4, or 2 in 16-bit mode (with half the page_bytes)"}};
   IntegerParameter sdram_banks{
       this,
       {"memory.sdram.banks", "", 4, 1, 16, 'V', "hardware.md 2.4",

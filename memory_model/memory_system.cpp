@@ -31,6 +31,8 @@ const Region* only_region(const MemoryMap& map, Level level) {
 MemorySystem::MemorySystem(MemoryMap map, const MemoryParameters& parameters,
                            const ClockParameters& clock, const std::vector<ObjectPlace>& places)
     : map_(std::move(map)),
+      default_data_banks_(static_cast<int>(parameters.cache_data_banks)),
+      default_code_cache_(parameters.cache_code != 0),
       l1_dma_overhead_(static_cast<Cycles>(parameters.l1_dma_overhead_sclk) * clock.ratio()),
       l1_dma_word_(static_cast<Cycles>(parameters.l1_dma_word_sclk) * clock.ratio()),
       imdma_overhead_(static_cast<Cycles>(parameters.imdma_overhead_cycles)),
@@ -40,6 +42,9 @@ MemorySystem::MemorySystem(MemoryMap map, const MemoryParameters& parameters,
   for (WriteBuffer& buffer : write_buffers_) {
     buffer.set_entries(static_cast<std::size_t>(parameters.write_buffer_entries));
   }
+  const auto policy = [](std::int64_t number) { return static_cast<CachePolicy>(number); };
+  default_policy_ = {CachePolicy::uncached, policy(parameters.cache_l2_policy),
+                     policy(parameters.cache_l3_policy)};
   std::vector<ObjectPlace> sorted = places;
   std::erase_if(sorted, [](const ObjectPlace& place) { return place.size == 0; });
   std::stable_sort(sorted.begin(), sorted.end(), [](const ObjectPlace& a, const ObjectPlace& b) {
@@ -59,6 +64,11 @@ MemorySystem::MemorySystem(MemoryMap map, const MemoryParameters& parameters,
       throw std::bad_alloc();
     }
     add_region_spans(i, sorted);
+  }
+  for (Span& span : spans_) {
+    if (span.level == Level::l1 && span.core_access) {
+      l1_data_spans_[static_cast<std::size_t>(span.core)].push_back(&span);
+    }
   }
 }
 
@@ -112,6 +122,11 @@ void MemorySystem::add_region_spans(std::size_t index, const std::vector<ObjectP
 void MemorySystem::add_span(std::size_t index, std::uint64_t base, std::uint64_t end,
                             std::uint32_t object) {
   const Region& region = map_.regions[index];
+  // What can become cache has spans of its own.
+  if (base < region.cache_base() && region.cache_base() < end) {
+    add_span(index, base, region.cache_base(), object);
+    base = region.cache_base();
+  }
   Span span;
   span.base = static_cast<Address>(base);
   span.size = static_cast<std::uint32_t>(end - base);
@@ -170,11 +185,27 @@ std::string MemorySystem::core_fault(int core, Address address, int bytes, bool 
                        region->name, name_of(static_cast<CoreId>(region->core)),
                        name_of(static_cast<CoreId>(core)));
   }
+  if (is_cache(*region, address)) {
+    return fmt::format("{}: that part of {} is cache (DMEM_CONTROL)", access, region->name);
+  }
   if (region->level == Level::l1 && !region->data) {
     return fmt::format("{}: {} is instruction memory, which loads and stores do not reach", access,
                        region->name);
   }
   return "";
+}
+
+bool MemorySystem::is_cache(const Region& region, Address address) const {
+  if (region.level != Level::l1 || region.cache_bytes == 0 || address < region.cache_base()) {
+    return false;
+  }
+  const CoreCache& caches = caches_[static_cast<std::size_t>(region.core)];
+  if (&region == code_half(region.core)) {
+    return caches.code.on();
+  }
+  const DataCache& cache = caches.data;
+  return (cache.banks() > 0 && &region == data_bank(region.core, 0)) ||
+         (cache.banks() > 1 && &region == data_bank(region.core, 1));
 }
 
 Cycles MemorySystem::core_test_and_set(int core, Span* span, Address address, Cycles now) {
@@ -189,18 +220,6 @@ Cycles MemorySystem::core_test_and_set(int core, Span* span, Address address, Cy
   return stall;
 }
 
-Cycles MemorySystem::fetch_line_cost(Level level) const {
-  switch (level) {
-    case Level::l2:
-      return l2_.fetch_stall();
-    case Level::l3:
-      return sdram_.fetch_stall();
-    case Level::l1:
-      break;
-  }
-  return 0;
-}
-
 std::uint8_t* MemorySystem::bytes_at(Address address, std::uint32_t size) const {
   const Region* region = map_.find(address);
   if (region == nullptr || !region->contains(address, size)) {
@@ -213,6 +232,11 @@ std::uint8_t* MemorySystem::bytes_at(Address address, std::uint32_t size) const 
 
 std::uint8_t* MemorySystem::host_access(Address address, std::uint32_t size, Direction direction) {
   std::uint8_t* bytes = bytes_at(address, size);
+  if (watching_ && size > 0) {
+    const Accessor host{};
+    direction == Direction::write ? note_write(address, size, host)
+                                  : note_read(address, size, host, 0);
+  }
   count_run(Initiator::host, direction, DmaRun{address, 1, size}, 1);
   if (observer_ != nullptr) {
     observer_->host_access(address, size, direction);

@@ -11,21 +11,29 @@ SdramTiming::SdramTiming(const MemoryParameters& parameters, const ClockParamete
                          const Region* region) {
   const Cycles ratio = clock.ratio();
   const auto cycles = [ratio](std::int64_t sclk) { return static_cast<Cycles>(sclk) * ratio; };
-  cl_ = cycles(parameters.sdram_cl_sclk);
-  trcd_ = cycles(parameters.sdram_trcd_sclk);
-  trp_ = cycles(parameters.sdram_trp_sclk);
-  tras_ = cycles(parameters.sdram_tras_sclk);
-  twr_ = cycles(parameters.sdram_twr_sclk);
-  // A read takes its issue cycle at least.
-  core_read_ = std::max<Cycles>(cycles(parameters.sdram_core_read_overhead_sclk) + cl_, 1);
-  core_read_hold_ = std::min(cycles(parameters.sdram_core_read_hold_sclk), core_read_);
+  ratio_ = ratio;
+  read_overhead_ = cycles(parameters.sdram_core_read_overhead_sclk);
+  read_hold_ = cycles(parameters.sdram_core_read_hold_sclk);
   write_ = cycles(parameters.sdram_write_sclk);
   beat_ = cycles(parameters.sdram_beat_sclk);
+  bus_bytes_ = static_cast<std::uint32_t>(parameters.sdram_bus_bytes);
+  if (bus_bytes_ == 3) {
+    throw InputError("memory.sdram.bus_bytes = 3 must be 2 or 4");
+  }
   dma_overhead_ = cycles(parameters.sdram_dma_overhead_sclk);
   turnaround_ = cycles(parameters.sdram_turnaround_sclk);
   refresh_ = cycles(parameters.sdram_refresh_sclk);
-  refresh_period_ = static_cast<Cycles>(static_cast<double>(parameters.sdram_refresh_period_ns) *
-                                        clock.cclk_mhz / 1000.0);
+  const auto sclk = [](std::int64_t number) { return static_cast<Cycles>(number); };
+  set({.cl = sclk(parameters.sdram_cl_sclk),
+       .trcd = sclk(parameters.sdram_trcd_sclk),
+       .trp = sclk(parameters.sdram_trp_sclk),
+       .tras = sclk(parameters.sdram_tras_sclk),
+       .twr = sclk(parameters.sdram_twr_sclk),
+       .refresh_period = 0});
+  // Finer than in whole SCLK, until software sets it.
+  const double nanoseconds = static_cast<double>(parameters.sdram_refresh_period_ns);
+  refresh_period_ = static_cast<Cycles>(nanoseconds * clock.cclk_mhz / 1000.0);
+  settings_.refresh_period = refresh_period_ / ratio;
   next_refresh_ = refresh_ > 0 ? refresh_period_ : kNever;
 
   const auto page_bytes = static_cast<std::uint32_t>(parameters.sdram_page_bytes);
@@ -44,6 +52,21 @@ SdramTiming::SdramTiming(const MemoryParameters& parameters, const ClockParamete
   base_ = region == nullptr ? 0 : region->base;
   bank_bytes_ = size / bank_count;
   banks_.resize(bank_count);
+}
+
+void SdramTiming::set(const SdramSettings& settings) {
+  settings_ = settings;
+  cl_ = settings.cl * ratio_;
+  trcd_ = settings.trcd * ratio_;
+  trp_ = settings.trp * ratio_;
+  tras_ = settings.tras * ratio_;
+  twr_ = settings.twr * ratio_;
+  // A read takes its issue cycle at least.
+  core_read_ = std::max<Cycles>(read_overhead_ + cl_, 1);
+  core_read_hold_ = std::min(read_hold_, core_read_);
+  if (settings.refresh_period > 0) {
+    refresh_period_ = settings.refresh_period * ratio_;
+  }
 }
 
 Cycles SdramTiming::refresh(Cycles start) {
@@ -65,14 +88,14 @@ Cycles SdramTiming::dma_start(bool write, Cycles now) {
 }
 
 Cycles SdramTiming::dma_words(bool write, Address address, std::int32_t stride, std::uint32_t count,
-                              Cycles start) {
+                              std::uint32_t bytes, Cycles start) {
   Cycles now = start;
   while (count > 0) {
     const std::uint64_t page = std::uint64_t{(address - base_) >> page_shift_} << page_shift_;
     const std::uint64_t page_base = base_ + page;
     const std::uint32_t here =
         elements_within(address, stride, count, page_base, page_base + (1ULL << page_shift_));
-    now = open(address, now, write ? twr_ : 0) + here * beat_;
+    now = open(address, now, write ? twr_ : 0) + here * beats(bytes) * beat_;
     count -= here;
     address += here * static_cast<std::uint32_t>(stride);
   }

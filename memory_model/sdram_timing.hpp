@@ -4,7 +4,7 @@
 // burst in progress, and DMA asks again after every burst, which gives cores precedence between
 // bursts); one open row per internal bank; tRCD, tRP, tRAS, tWR, CL; refresh at fixed times, which
 // closes all rows. Does not model: the phase of SCLK, command overlap between banks, the CDPRIO
-// swap, 16-bit mode. Source: hardware.md 2.4, 2.5.
+// swap. Source: hardware.md 2.4, 2.5.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 
 #include <common/units.hpp>
 #include <memory_model/clock_parameters.hpp>
+#include <memory_model/line_fill.hpp>
 #include <memory_model/memory_map.hpp>
 #include <memory_model/memory_parameters.hpp>
 
@@ -26,6 +27,12 @@ struct SdramCounters {
   Cycles busy_cycles = 0;        // bus reserved by accesses
 };
 
+// What software can change of an SDRAM's time, in SCLK.
+struct SdramSettings {
+  Cycles cl = 0, trcd = 0, trp = 0, tras = 0, twr = 0;
+  Cycles refresh_period = 0;
+};
+
 class SdramTiming {
  public:
   // `region`: where the SDRAM lies; nullptr for a machine without one.
@@ -33,14 +40,23 @@ class SdramTiming {
               const Region* region);
 
   // A read of up to 32 bits: stall beyond the issue cycle `now`.
-  Cycles core_read(Address address, Cycles now) {
+  Cycles core_read(Address address, std::uint32_t bytes, Cycles now) {
+    return fetch(address, bytes, now);
+  }
+  // A line into a core's cache, the word that is waited for first.
+  LineFill line_fill(Address address, Cycles now) {
     const Cycles start = open_for_read(address, acquire(now));
-    release(start, core_read_hold_);
-    return start + core_read_ - now - 1;
+    release(start, core_read_hold_ + (beats(kLineBytes) - 1) * beat_);
+    return {.first = start + core_read_, .beat = beat_, .beat_bytes = bus_bytes_};
+  }
+  // Arrival of a line out of a cache, which may start at `start`.
+  Cycles line_write(Address address, Cycles start) {
+    release(open_for_write(address, acquire(start)), beats(kLineBytes) * write_);
+    return free_at_;
   }
   // Arrival of a write of up to 32 bits that may start at `start`.
-  Cycles posted_write(Address address, Cycles start) {
-    release(open_for_write(address, acquire(start)), write_);
+  Cycles posted_write(Address address, std::uint32_t bytes, Cycles start) {
+    release(open_for_write(address, acquire(start)), beats(bytes) * write_);
     return free_at_;
   }
   // A read and a completed write with the bus kept: time until the write has arrived.
@@ -48,19 +64,40 @@ class SdramTiming {
     release(open_for_read(address, acquire(now)), 2 * core_read_);
     return free_at_ - now;
   }
-  // 64 bits from an open row.
-  [[nodiscard]] Cycles fetch_stall() const { return core_read_ + beat_ - 1; }
+  // Instructions: stall beyond the issue cycle.
+  Cycles fetch(Address address, std::uint32_t bytes, Cycles now) {
+    const Cycles start = open_for_read(address, acquire(now));
+    const Cycles further = (beats(bytes) - 1) * beat_;
+    release(start, core_read_hold_ + further);
+    return start + core_read_ + further - now - 1;
+  }
 
   [[nodiscard]] Cycles dma_free_at() const { return free_at_; }
   // A DMA burst: when its first word can pass, if its row is open.
   Cycles dma_start(bool write, Cycles now);
-  // `count` elements, `stride` bytes apart, starting at `start`; returns when the last has passed.
+  // `count` elements of `bytes`, `stride` bytes apart, starting at `start`; returns when the last
+  // has passed.
   Cycles dma_words(bool write, Address address, std::int32_t stride, std::uint32_t count,
-                   Cycles start);
+                   std::uint32_t bytes, Cycles start);
+
+  [[nodiscard]] const SdramSettings& settings() const { return settings_; }
+  // From now on; rows stay open.
+  void set(const SdramSettings& settings);
+  [[nodiscard]] std::uint32_t page_bytes() const {
+    return 1U << static_cast<unsigned>(page_shift_);
+  }
+  [[nodiscard]] std::uint32_t size() const {
+    return bank_bytes_ * static_cast<std::uint32_t>(banks_.size());
+  }
+  [[nodiscard]] std::uint32_t bus_bytes() const { return bus_bytes_; }
 
   [[nodiscard]] const SdramCounters& counters() const { return counters_; }
 
  private:
+  // That `bytes` take on the bus.
+  [[nodiscard]] Cycles beats(std::uint32_t bytes) const {
+    return std::max<Cycles>(bytes / bus_bytes_, 1);
+  }
   static constexpr std::uint32_t kNoRow = ~std::uint32_t{0};
   struct Bank {
     std::uint32_t row = kNoRow;
@@ -101,10 +138,15 @@ class SdramTiming {
   }
   Cycles refresh(Cycles start);
 
+  SdramSettings settings_;
+  Cycles ratio_;
+  Cycles read_overhead_;  // of cores, besides CL
+  Cycles read_hold_;
   Cycles cl_, trcd_, trp_, tras_, twr_;
   Cycles core_read_;  // overhead + CL
   Cycles core_read_hold_;
   Cycles write_;
+  std::uint32_t bus_bytes_;
   Cycles beat_;
   Cycles dma_overhead_;
   Cycles turnaround_;

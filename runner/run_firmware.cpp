@@ -75,11 +75,29 @@ void connect_camera(const RunInputs& inputs, peripheral::Camera::Side side,
                              inputs.camera_troubles.at(static_cast<std::size_t>(side)));
 }
 
+machine::StopInfo run(machine::Machine& machine, const machine::RunLimits& limits, PortFiles& ports,
+                      const RunObserver& observer) {
+  const auto tell = [&] {
+    if (observer.stale) {
+      observer.stale(machine.stale_reports());
+    }
+  };
+  try {
+    machine::StopInfo stop = run_with_ports(machine, limits, ports);
+    tell();
+    return stop;
+  } catch (const GuestFault&) {
+    tell();
+    throw;
+  }
+}
+
 }  // namespace
 
 RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
   const ir::FirmwareUnits& units = inputs.firmware.firmware.units;
-  ir::Image image = ir::link(units, inputs.firmware.firmware.placement, inputs.machine->map);
+  ir::Image image =
+      ir::link(units, inputs.firmware.firmware.placement, inputs.machine->placement_map());
   machine::Machine machine(*inputs.machine, image);
   machine::HostPort& host = machine.host();
   host.set_frame_source([&](std::uint32_t number) { return pair_of(inputs, number); },
@@ -107,7 +125,7 @@ RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
       return observer.cancelled(now, static_cast<std::uint32_t>(host.maps().size()));
     };
   }
-  const machine::StopInfo stop = run_with_ports(machine, limits, ports);
+  const machine::StopInfo stop = run(machine, limits, ports, observer);
   RunOutcome outcome;
   if (stop.reason == machine::Stop::cancelled) {
     outcome.cancelled = true;

@@ -68,6 +68,9 @@ struct RunObserver {
   std::function<bool(Cycles now, std::uint32_t frames_published)> cancelled;
   // Each line that the firmware prints.
   std::function<void(const std::string& line)> console;
+  // What the data caches hid (machine::Machine::stale_reports), when the run has ended, in whatever
+  // way.
+  std::function<void(const std::vector<std::string>& lines)> stale;
   // The machine before it runs; the image lives as long as the run.
   std::function<void(machine::Machine& machine, const ir::Image& image)> ready;
 };

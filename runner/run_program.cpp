@@ -37,7 +37,8 @@ std::string_view stop_name(machine::Stop reason) {
 
 ProgramOutcome run_program(const RunInputs& inputs, ProgramRun run) {
   const ir::FirmwareUnits& units = inputs.firmware.firmware.units;
-  const ir::Image image = ir::link(units, inputs.firmware.firmware.placement, inputs.machine->map);
+  const ir::Image image =
+      ir::link(units, inputs.firmware.firmware.placement, inputs.machine->placement_map());
   machine::Machine machine(*inputs.machine, image, run.begin);
   machine.host().set_console(
       [output = run.host.output](const std::string& line) { output(1, line + "\n"); });

@@ -60,7 +60,6 @@ struct Block {
 
   std::vector<StaticCost> costs;
   std::uint32_t instructions = 0;
-  std::uint32_t fetched_lines = 0;  // 8-byte lines from L2 or L3
   std::array<std::uint32_t, 6> by_energy_class{};
 };
 

@@ -108,11 +108,13 @@ struct BlockBuilder::Draft {
 };
 
 BlockBuilder::BlockBuilder(const ir::CoreImage& image, const CoreParameters& parameters,
-                           const memory::MemorySystem& memory, isa::Execute conflict)
+                           const memory::MemorySystem& memory, isa::Execute conflict,
+                           isa::Execute fetch)
     : image_(image),
       parameters_(parameters),
       memory_(memory),
       conflict_(conflict),
+      fetch_(fetch),
       pipeline_(parameters) {
   packet_index_.reserve(image.packets.size());
   for (std::uint32_t index = 0; index < image.packets.size(); ++index) {
@@ -225,12 +227,16 @@ void BlockBuilder::add_fetch(Draft& draft, const ir::PlacedPacket& packet,
   if (to <= from) {
     return;
   }
-  const std::uint32_t lines = (to - from) / bytes;
-  const Cycles cycles = lines * memory_.fetch_line_cost(region->level);
   draft.fetched_to = to;
-  draft.block->fetched_lines += lines;
-  draft.block->cycles += cycles;
-  draft.block->costs.push_back({index, Cause::fetch, static_cast<std::uint32_t>(cycles)});
+  Operation fetch;
+  fetch.execute = fetch_;
+  fetch.operand = {static_cast<std::int32_t>(from), static_cast<std::int32_t>((to - from) / bytes),
+                   static_cast<std::int32_t>(region->level)};
+  fetch.window = no_window();
+  fetch.site = index;
+  fetch.cycle = static_cast<std::uint16_t>(draft.block->cycles);
+  fetch.address = packet.address;
+  draft.operations.push_back(fetch);
 }
 
 void BlockBuilder::add_operations(Draft& draft, const ir::PlacedPacket& packet, std::uint32_t index,

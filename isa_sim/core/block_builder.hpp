@@ -18,9 +18,9 @@ class BlockBuilder {
  public:
   // `image` and the rest must outlive the builder. `conflict` is the Execute of the operation that
   // checks two accesses of one packet for a sub-bank conflict; its operands are {register, offset,
-  // register, offset}.
+  // register, offset}. `fetch` fetches code outside L1; its operands are {address, fetches, level}.
   BlockBuilder(const ir::CoreImage& image, const CoreParameters& parameters,
-               const memory::MemorySystem& memory, isa::Execute conflict);
+               const memory::MemorySystem& memory, isa::Execute conflict, isa::Execute fetch);
 
   // Long enough for any loop worth the name, short enough that interrupts and other actors are not
   // kept waiting.
@@ -79,6 +79,7 @@ class BlockBuilder {
   const CoreParameters& parameters_;
   const memory::MemorySystem& memory_;
   isa::Execute conflict_;
+  isa::Execute fetch_;
   std::uint32_t max_packets_ = kMaxPackets;
   isa::Execute save_ = nullptr;
   Pipeline pipeline_;

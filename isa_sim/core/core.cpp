@@ -26,17 +26,23 @@ struct Core::Hooks {
                                    int bytes, bool write, bool continued) {
     Core& c = core(state);
     memory::Span* span = c.memory_.find_span(c.number_, address);
-    if ((address & static_cast<Address>(bytes - 1)) != 0 || c.protection_.guards_data()) {
+    const bool guarded = c.protection_.guards_data();
+    if ((address & static_cast<Address>(bytes - 1)) != 0 ||
+        (guarded && !c.protection_.allows(address, write, !c.events_.user_mode()))) {
       c.check_access(o, address, bytes, write);
     }
     if (span == nullptr) {
       return c.no_memory(o, c.memory_.core_fault(c.number_, address, bytes, write));
     }
     if (MemoryWindow* window = memory::MemorySystem::window(c.number_, span)) {
-      if (!c.protection_.guards_data() && !c.store_buffer_.stalls() && !c.watched()) {
+      if (!c.store_buffer_.stalls() && !c.watched() &&
+          (!guarded || c.protection_.open(span->base, span->size))) {
         o.window = window;
       }
       c.tell_access(o, address, bytes, write);
+      if (c.memory_.dma_in_the_way(c.number_, address, c.now(o))) {
+        c.add_stall(o, Cause::sub_bank, cycles_of(c.parameters_.sub_bank_dma), address);
+      }
       if (c.store_buffer_.stalls()) {
         c.add_stall(o, Cause::store_buffer, c.store_buffer_.access(address, bytes, write, c.now(o)),
                     address);
@@ -44,10 +50,27 @@ struct Core::Hooks {
       ++(write ? window->writes : window->reads)[static_cast<std::size_t>(bytes / 2)];
       return span->at(address);
     }
+    if (c.memory_.data_cache_on(c.number_)) {
+      const memory::CachePolicy policy = c.cache_policy(span->level, address);
+      if (policy != memory::CachePolicy::uncached) {
+        return c.cached_access(o, span, address, bytes, write, continued, policy);
+      }
+    }
+    return far_access(c, o, span, address, bytes, write, continued);
+  }
+
+  // To L2 or L3, past the data cache.
+  static std::uint8_t* far_access(Core& c, const Operation& o, memory::Span* span, Address address,
+                                  int bytes, bool write, bool continued) {
     if (!continued && c.wait_for_turn(o)) {
       return nullptr;
     }
     c.tell_access(o, address, bytes, write);
+    if (c.memory_.watching()) {
+      const auto size = static_cast<std::uint32_t>(bytes);
+      write ? c.memory_.note_write(address, size, c.accessor(o))
+            : c.memory_.note_read(address, size, c.accessor(o), c.now(o));
+    }
     c.add_far_bytes(o, static_cast<std::size_t>(span->level), bytes);
     const bool far = span->level == memory::Level::l3;
     if (write) {
@@ -136,6 +159,10 @@ struct Core::Hooks {
       c.add_stall(o, far ? Cause::l3_read : Cause::l2_read,
                   c.memory_.core_test_and_set(c.number_, span, address, c.now(o)), address);
     });
+    if (c.memory_.watching()) {
+      c.memory_.note_read(address, 1, c.accessor(o), c.now(o));
+      c.memory_.note_write(address, 1, c.accessor(o));
+    }
     c.add_far_bytes(o, static_cast<std::size_t>(span->level), 2);
     std::uint8_t& byte = *span->at(address);
     old = byte;
@@ -148,6 +175,11 @@ struct Core::Hooks {
     core(state).act(o, action, value);
   }
 
+  // Operands {address, fetches, level}.
+  static const Operation* fetch(ExecutionState& state, const Operation* o) {
+    return core(state).fetch_code(*o) ? o + 1 : nullptr;
+  }
+
   // Two accesses of one packet: operands {register, offset, register, offset}.
   static const Operation* packet_conflict(ExecutionState& state, const Operation* o) {
     Core& c = core(state);
@@ -157,9 +189,13 @@ struct Core::Hooks {
     const Address first = address(0);
     const Address second = address(2);
     const Address bank_bytes = static_cast<Address>(std::int64_t{c.parameters_.sub_bank_bytes});
-    const bool same_parity = ((first ^ second) & 4) == 0;
-    if (same_parity && first / bank_bytes == second / bank_bytes && c.in_own_l1(first) &&
-        c.in_own_l1(second)) {
+    if (((first ^ second) & 4) != 0 ||
+        (first / bank_bytes != second / bank_bytes && !c.memory_.data_cache_on(c.number_))) {
+      return o + 1;
+    }
+    const std::optional<Address> one = c.place_in_l1(first);
+    const std::optional<Address> other = c.place_in_l1(second);
+    if (one && other && *one / bank_bytes == *other / bank_bytes) {
       c.add_stall(*o, Cause::sub_bank, cycles_of(c.parameters_.sub_bank_conflict), second);
     }
     return o + 1;
@@ -179,16 +215,28 @@ Core::Core(CoreId id, const ir::CoreImage& image, const CoreParameters& paramete
              Hooks::system},
       store_buffer_(parameters),
       calls_(image.functions.size()),
-      builder_(image, parameters, memory, Hooks::packet_conflict),
+      builder_(image, parameters, memory, Hooks::packet_conflict, Hooks::fetch),
       dynamic_(image.packets.size()),
       far_bytes_(image.packets.size()) {
   state_.hooks = &hooks_;
   state_.engine = this;
+  if (parameters.sub_bank_dma > 0) {
+    memory.mind_sub_banks(number_,
+                          static_cast<std::uint32_t>(std::int64_t{parameters.sub_bank_bytes}));
+  }
 }
 
 void Core::start(Cycles at, const Start& how) {
   started_ = true;
   started_at_ = at;
+  if (const int banks = memory_.default_data_banks(); banks > 0) {
+    protection_.set_cache_banks(banks);
+    memory_.configure_data_cache(number_, banks, false, {}, at);
+  }
+  if (memory_.default_code_cache()) {
+    protection_.set_code_cache();
+    configure_code_cache();
+  }
   state_.time = at;
   state_.reg[isa::SP] = image_.stack_top;
   state_.reg[isa::FP] = image_.stack_top;
@@ -413,9 +461,17 @@ bool Core::wait_for_turn(const Operation& operation) {
   return true;
 }
 
-bool Core::in_own_l1(Address address) {
+std::optional<Address> Core::place_in_l1(Address address) {
   memory::Span* span = memory_.find_span(number_, address);
-  return span != nullptr && memory::MemorySystem::window(number_, span) != nullptr;
+  if (span == nullptr) {
+    return std::nullopt;
+  }
+  if (memory::MemorySystem::window(number_, span) != nullptr) {
+    return address;
+  }
+  const bool cached = memory_.data_cache_on(number_) &&
+                      cache_policy(span->level, address) != memory::CachePolicy::uncached;
+  return cached ? std::optional(memory_.place_in_cache(number_, address)) : std::nullopt;
 }
 
 std::string Core::place(std::uint32_t packet) const {

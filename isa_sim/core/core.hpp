@@ -3,9 +3,9 @@
 // Models: the instruction table's meanings; issue, interlocks, branches and hardware loops
 // (pipeline.hpp); stalls on L2, L3, device registers, the store buffer and fetch; interrupts,
 // taken between blocks, and exceptions, taken between packets; user mode and page protection; IDLE;
-// single steps. Does not model: caches, speculation, DMA that meets the core in an L1 sub-bank.
-// Source: hardware.md 1, 4; Programming Reference, chapters 3 and 4; the way to speed:
-// docs/architecture.md.
+// single steps; the caches (core_cache.cpp). Does not model: speculation, DMA that meets the core
+// in an L1 sub-bank. Source: hardware.md 1, 4; Programming Reference, chapters 3 and 4; the way to
+// speed: docs/architecture.md.
 //
 // The core runs ahead on what is its own. What others can see or change (L2, L3, devices) it
 // touches only before the time `shared_until` of its turn, to which the machine knows that nobody
@@ -15,6 +15,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -156,6 +157,25 @@ class Core {
   }
   void set_cycle_count(const isa::Operation& operation, Cycles count);
 
+  // Caches: core_cache.cpp.
+  [[nodiscard]] memory::CachePolicy cache_policy(memory::Level level, Address address);
+  [[nodiscard]] std::uint8_t* cached_access(const isa::Operation& operation, memory::Span* span,
+                                            Address address, int bytes, bool write, bool continued,
+                                            memory::CachePolicy policy);
+  void move_line(const isa::Operation& operation, isa::SystemAction action, Address address);
+  void charge(const isa::Operation& operation, const memory::CachedAccess& access, Cause cause,
+              Address address);
+  [[nodiscard]] memory::Accessor accessor(const isa::Operation& operation) const {
+    return {static_cast<memory::Initiator>(number_), operation.site};
+  }
+  // Where in the core's own L1 an access to `address` goes; nothing when it goes elsewhere.
+  [[nodiscard]] std::optional<Address> place_in_l1(Address address);
+
+  // Fetches code outside L1; false: it has to wait for its turn.
+  [[nodiscard]] bool fetch_code(const isa::Operation& operation);
+  // As IMEM_CONTROL says. Throws GuestFault when code lies in the half that shall be cache.
+  void configure_code_cache();
+
   // Debug instructions: core_debug.cpp.
   void debug(const isa::Operation& operation, isa::SystemAction action, std::uint32_t value);
   [[noreturn]] void halt(const isa::Operation& operation, std::uint32_t status,
@@ -179,7 +199,6 @@ class Core {
   [[nodiscard]] bool watched() const { return memory_.observer() != nullptr; }
   void tell_access(const isa::Operation& operation, Address address, int bytes, bool write);
   void tell_device_access(const isa::Operation& operation, Address address, bool write);
-  [[nodiscard]] bool in_own_l1(Address address);
   // Runs `body`; a GuestFault of the memory or a device gets this core and the operation's place in
   // front.
   template <class Body>
@@ -214,6 +233,8 @@ class Core {
   // By packet: bytes moved outside the core's L1, to and from L2, L3 and (last) device registers.
   static constexpr std::size_t kDeviceBytes = memory::kLevelCount;
   std::vector<std::array<Bytes, memory::kLevelCount + 1>> far_bytes_;
+  // By packet: bytes of lines that it moved between the data cache and L2, L3.
+  std::map<std::uint32_t, LevelBytes> line_bytes_;
 
   Block* current_ = nullptr;
   bool started_ = false;

@@ -239,8 +239,12 @@ void Core::except(const Operation& operation, int cause) {
   if (wait_for_turn(operation)) {
     return;
   }
-  const SystemPort::HostCall call =
-      cause == 0 ? port_.host_call(number_, state_, now(operation)) : SystemPort::HostCall::none;
+  SystemPort::HostCall call = SystemPort::HostCall::none;
+  if (cause == 0) {
+    memory_.show_cache(number_);
+    call = port_.host_call(number_, state_, now(operation));
+    memory_.update_cache(number_);
+  }
   if (call == SystemPort::HostCall::none) {
     fault(operation,
           fmt::format("EXCPT {}, but EVT3 is 0: no exception handler is installed", cause));
@@ -355,6 +359,14 @@ void Core::act(const Operation& operation, SystemAction action, std::uint32_t va
       break;
     case SystemAction::loaded_return:
       events_.hold_interrupts(true);
+      break;
+    case SystemAction::prefetch_line:
+    case SystemAction::flush_line:
+    case SystemAction::flush_invalidate_line:
+      move_line(operation, action, value);
+      break;
+    case SystemAction::flush_code_line:
+      memory_.forget_code(number_, value);
       break;
     case SystemAction::assertion_failed:
     case SystemAction::print_register:

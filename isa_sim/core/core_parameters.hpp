@@ -73,6 +73,11 @@ struct CoreParameters : ParameterGroup {
       {"core.sub_bank.conflict_cycles", "CCLK", 1, 0, 20, 'M',
        "hardware.md 1.5 (rule: PT slide 36)",
        "stall when both accesses of a packet hit one L1 sub-bank with equal address bit 2"}};
+  IntegerParameter sub_bank_dma{
+      this,
+      {"core.sub_bank.dma_conflict_cycles", "CCLK", 1, 0, 20, 'E', "hardware.md 1.5",
+       "stall when a DMA word passes in the L1 sub-bank and half that the core accesses; 0: DMA is "
+       "never in the way"}};
   IntegerParameter sub_bank_bytes{this,
                                   {"core.sub_bank.bytes", "bytes", 4096, 8, 65536, 'V',
                                    "hardware.md 2.2 (PT slides 35-36)", "size of an L1 sub-bank"}};

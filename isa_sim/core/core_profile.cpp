@@ -26,8 +26,8 @@ bool any(const CauseCycles& cycles) {
 }  // namespace
 
 // What an execution moves is known when it is decoded, and where it went only when it was not the
-// core's own L1: the rest is L1's. A block that waits for its turn has run as far as the access
-// that waits.
+// core's own L1: the rest is L1's, its cache's too. A block that waits for its turn has run as
+// far as the access that waits.
 LevelBytes Core::bytes_of(std::uint32_t packet, std::uint64_t executions) const {
   const ir::PlacedPacket& placed = image_.packets[packet];
   Bytes all = 0;
@@ -49,6 +49,11 @@ LevelBytes Core::bytes_of(std::uint32_t packet, std::uint64_t executions) const 
   bytes[level(memory::Level::l3)] = far[level(memory::Level::l3)];
   bytes[level(memory::Level::l1)] =
       all - far[level(memory::Level::l2)] - far[level(memory::Level::l3)] - far[kDeviceBytes];
+  if (const auto lines = line_bytes_.find(packet); lines != line_bytes_.end()) {
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      bytes[i] += lines->second[i];
+    }
+  }
   return bytes;
 }
 

@@ -122,7 +122,17 @@ bool Core::write_register(const Operation& operation, Address address, int bytes
     return true;
   }
   if (within(address, Protection::kFirstRegister, Protection::kLastRegister)) {
+    const int banks = protection_.cache_banks();
+    const bool high_select = protection_.cache_high_select();
     const bool known = protection_.write(address, value);
+    if (banks != protection_.cache_banks() || high_select != protection_.cache_high_select()) {
+      guarded(operation, [&] {
+        memory_.configure_data_cache(number_, protection_.cache_banks(),
+                                     protection_.cache_high_select(), accessor(operation),
+                                     now(operation));
+      });
+    }
+    guarded(operation, [&] { configure_code_cache(); });
     choose_block_style(operation);
     if (protection_.guards_data()) {
       check_every_access();

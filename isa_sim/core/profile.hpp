@@ -22,23 +22,25 @@ enum class Cause : std::uint8_t {
   branch_mispredict,
   hazard_address,  // load or move into a pointer, then its use as an address
   hazard_ex1,      // ALU result, then an operand needed in EX1
-  fetch,           // instructions in L2 or L3; two fetches for one packet behind a change of flow
-  sub_bank,        // two accesses of a packet in one L1 sub-bank
+  fetch,           // instructions in L2 or L3, uncached; two fetches behind a change of flow
+  sub_bank,        // two accesses of a packet, or one and DMA's, in one L1 sub-bank
   store_buffer,    // a load of what was just stored to L1
   l2_read,
   l2_write,
   l3_read,
   l3_write,
-  device,  // memory-mapped registers
+  data_cache,  // a line of the data cache that was not there, or not yet
+  code_cache,  // a line of the instruction cache that was not there, or not yet
+  device,      // memory-mapped registers
   interrupt_entry,
   idle,  // IDLE: asleep
 };
-inline constexpr int kCauseCount = 16;
+inline constexpr int kCauseCount = 18;
 inline constexpr std::array<std::string_view, kCauseCount> kCauseNames = {
-    "issue",          "multi_cycle", "branch_taken",    "branch_mispredict",
-    "hazard_address", "hazard_ex1",  "fetch",           "sub_bank",
-    "store_buffer",   "l2_read",     "l2_write",        "l3_read",
-    "l3_write",       "device",      "interrupt_entry", "idle"};
+    "issue",      "multi_cycle",     "branch_taken", "branch_mispredict", "hazard_address",
+    "hazard_ex1", "fetch",           "sub_bank",     "store_buffer",      "l2_read",
+    "l2_write",   "l3_read",         "l3_write",     "data_cache",        "code_cache",
+    "device",     "interrupt_entry", "idle"};
 
 // No register is waited for.
 inline constexpr int kNoRegister = -1;

@@ -18,8 +18,14 @@ constexpr Address kL1Base = 0xFF800000;  // SRAM_BASE_ADDRESS, read-only
 constexpr std::uint32_t kValid = 1U << 0, kUserRead = 1U << 2, kUserWrite = 1U << 3,
                         kSupervisorWrite = 1U << 4, kDirty = 1U << 7, kCacheable = 1U << 12,
                         kWriteThrough = 1U << 14;
+constexpr std::uint32_t kAllocateOnWrite = 1U << 15;
+constexpr std::uint32_t kImportant = 1U << 8;  // of instructions
 constexpr int kPageShift = 16;
 constexpr std::array<std::uint32_t, 4> kPageBytes = {0x400, 0x1000, 0x100000, 0x400000};
+
+// DMC of DMEM_CONTROL: no cache; bank A; banks A and B.
+constexpr int kCacheShift = 2;
+constexpr std::array<std::uint32_t, 3> kCacheBanks = {0, 2, 3};
 
 // Fault status.
 constexpr int kWriteBit = 16, kSupervisorBit = 17, kSecondBit = 18, kIllegalBit = 19;
@@ -79,17 +85,92 @@ bool Protection::write(Address address, std::uint32_t value) {
   const Address offset = address - kFirstRegister - (code ? kCodeSide : 0);
   if (std::uint32_t* word = find(code ? code_ : data_, offset)) {
     *word = value;
+    pages_ = {};
+    code_page_ = {};
     return true;
   }
   return offset == 0 || offset == kFaultStatus || offset == kFaultAddress;  // read-only
+}
+
+bool Protection::covers(const Side& side, std::size_t entry, Address address) {
+  const std::uint32_t rights = side.rights[entry];
+  const Address page = kPageBytes[rights >> kPageShift & 3U];
+  return (rights & kValid) != 0 && ((address ^ side.address[entry]) & ~(page - 1)) == 0;
+}
+
+const Protection::Page& Protection::look_up_page(Address number) {
+  Page& page = pages_[number % pages_.size()];
+  page = Page{.number = number};
+  Access access{.address = number << kSmallestPageShift, .bytes = 1};
+  for (const bool write : {false, true}) {
+    for (const bool supervisor : {false, true}) {
+      access.write = write;
+      access.supervisor = supervisor;
+      const Hits hits = look_up(data_, access);
+      const bool enough = hits.count == 1 || (hits.count == 0 && access.address >= kLevel1);
+      if (enough && !hits.refused && access.address < kRegisters) {
+        page.allowed |= static_cast<std::uint8_t>(1U << right(write, supervisor));
+      }
+    }
+  }
+  for (std::size_t i = 0; i < kEntries; ++i) {
+    const std::uint32_t rights = data_.rights[i];
+    if (covers(data_, i, access.address) && (rights & kCacheable) != 0) {
+      page.policy = (rights & kWriteThrough) == 0      ? memory::CachePolicy::write_back
+                    : (rights & kAllocateOnWrite) != 0 ? memory::CachePolicy::write_through_allocate
+                                                       : memory::CachePolicy::write_through;
+    }
+  }
+  return page;
+}
+
+const Protection::CodePage& Protection::code_page(Address address) {
+  const Address number = address >> kSmallestPageShift;
+  if (code_page_.number != number) {
+    code_page_ = CodePage{.number = number};
+    for (std::size_t i = 0; i < kEntries; ++i) {
+      if (covers(code_, i, address)) {
+        code_page_.cached |= (code_.rights[i] & kCacheable) != 0;
+        code_page_.important |= (code_.rights[i] & kImportant) != 0;
+      }
+    }
+  }
+  return code_page_;
+}
+
+bool Protection::open(Address base, std::uint32_t size) const {
+  constexpr std::uint32_t kAll = kUserRead | kUserWrite | kSupervisorWrite;
+  int covering = 0;
+  for (std::size_t i = 0; i < kEntries; ++i) {
+    const std::uint32_t rights = data_.rights[i];
+    const Address page = kPageBytes[rights >> kPageShift & 3U];
+    const Address start = data_.address[i] & ~(page - 1);
+    const bool overlaps = start - base < size || base - start < page;
+    if ((rights & kValid) == 0 || !overlaps) {
+      continue;
+    }
+    ++covering;
+    if (covering > 1 || (rights & kAll) != kAll || (rights & kCacheable) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+int Protection::cache_banks() const {
+  const auto* const known = std::ranges::find(kCacheBanks, data_.control >> kCacheShift & 3U);
+  return known == kCacheBanks.end() ? 0 : static_cast<int>(known - kCacheBanks.begin());
+}
+
+void Protection::set_cache_banks(int banks) {
+  data_.control |= kCacheBanks[static_cast<std::size_t>(banks)] << kCacheShift;
 }
 
 Protection::Hits Protection::look_up(const Side& side, const Access& access) {
   Hits hits;
   for (std::size_t i = 0; i < kEntries; ++i) {
     const std::uint32_t rights = side.rights[i];
-    const std::uint32_t page = kPageBytes[rights >> kPageShift & 3U];
-    if ((rights & kValid) == 0 || access.address - side.address[i] >= page) {
+    if (!covers(side, i, access.address)) {
       continue;
     }
     ++hits.count;

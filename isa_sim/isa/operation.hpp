@@ -69,6 +69,11 @@ enum class SystemAction : std::uint8_t {
   pop_usp,        // asked before USP is popped
   saved_return,   // RETI was pushed: interrupts are let in
   loaded_return,  // RETI was popped: they are held back
+  // Of the cache line at the address `value`; all but the last may ask for a retry.
+  prefetch_line,
+  flush_line,             // written back
+  flush_invalidate_line,  // written back and forgotten
+  flush_code_line,        // forgotten by the instruction cache
   // The instructions of table_debug.cpp.
   assertion_failed,  // operands: register, expected half; value: kHighHalf or 0
   print_register,    // value: its number, A0 and A1 among them
@@ -83,8 +88,8 @@ enum class SystemAction : std::uint8_t {
 struct EngineHooks {
   // Finds where `address` lies. Returns the bytes to access, having charged stalls and counted;
   // nullptr with `state.retry` set when the access must be repeated later; throws GuestFault for an
-  // illegal one. `continued`: a further access of an instruction whose first access was granted,
-  // which is never sent back.
+  // illegal one. A store may have a second place, `state.store_also`. `continued`: a further access
+  // of an instruction whose first access was granted, which is never sent back.
   std::uint8_t* (*slow_access)(ExecutionState& state, const Operation& operation, Address address,
                                int bytes, bool write, bool continued);
   // Device registers, 1, 2 or 4 bytes. Both answer false, with `state.retry` set, when the access
@@ -115,7 +120,8 @@ struct ExecutionState {
 
   Address next_address =
       0;  // where control goes after the block; preset to the fall-through address
-  const Operation* retry = nullptr;  // the access to repeat when others have caught up
+  const Operation* retry = nullptr;    // the access to repeat when others have caught up
+  std::uint8_t* store_also = nullptr;  // a cache's copy of what is stored; set for one access
 
   Cycles time = 0;  // at the start of the running block, plus its dynamic stalls so far
   std::uint32_t interrupt_mask = 0;  // IMASK

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include <isa_sim/isa/instruction.hpp>
 
@@ -363,6 +364,9 @@ template <class T>
     return false;
   }
   std::memcpy(bytes, &value, sizeof(T));
+  if (s.store_also != nullptr) {
+    std::memcpy(std::exchange(s.store_also, nullptr), &value, sizeof(T));
+  }
   return true;
 }
 

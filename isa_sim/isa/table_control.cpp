@@ -44,11 +44,18 @@ constexpr Instruction cache_form(std::string_view syntax, Execute execute,
           .meaning = meaning};
 }
 constexpr u32 kCacheLineBytes = 32;
-constexpr auto kNothingToDo = [](ExecutionState&, const Operation&) {};
-constexpr auto kNextLine = [](ExecutionState& s, const Operation& o) {
-  reg(s, o[0]) += kCacheLineBytes;
-};
-constexpr std::string_view kNoCaches = "caches are not modelled: the address steps by a line";
+// Asks for `action` on the line that the base register points to; may be sent back.
+template <SystemAction action, bool steps>
+const Operation* cache_line(ExecutionState& s, const Operation* o) {
+  system(s, *o, action, reg(s, (*o)[0]));
+  if (s.retry != nullptr) {
+    return nullptr;
+  }
+  if (steps) {
+    reg(s, (*o)[0]) += kCacheLineBytes;
+  }
+  return o + 1;
+}
 
 constexpr auto kJump = [](ExecutionState& s, const Operation& o) {
   s.next_address = static_cast<Address>(o[0]);
@@ -171,14 +178,22 @@ constexpr Instruction kTable[] = {
                  system(s, o, SystemAction::exception, static_cast<u32>(o[0]));
                }>,
                "raise an exception"),
-    cache_form("PREFETCH [{P@}]", plain<kNothingToDo>, kNoCaches),
-    cache_form("PREFETCH [{P@+}++]", plain<kNextLine>, kNoCaches),
-    cache_form("FLUSH [{P@}]", plain<kNothingToDo>, kNoCaches),
-    cache_form("FLUSH [{P@+}++]", plain<kNextLine>, kNoCaches),
-    cache_form("FLUSHINV [{P@}]", plain<kNothingToDo>, kNoCaches),
-    cache_form("FLUSHINV [{P@+}++]", plain<kNextLine>, kNoCaches),
-    cache_form("IFLUSH [{P@}]", plain<kNothingToDo>, kNoCaches),
-    cache_form("IFLUSH [{P@+}++]", plain<kNextLine>, kNoCaches),
+    cache_form("PREFETCH [{P@}]", cache_line<SystemAction::prefetch_line, false>,
+               "bring the line into the data cache"),
+    cache_form("PREFETCH [{P@+}++]", cache_line<SystemAction::prefetch_line, true>,
+               "bring the line into the data cache, and step to the next line"),
+    cache_form("FLUSH [{P@}]", cache_line<SystemAction::flush_line, false>,
+               "write the line back where it is dirty"),
+    cache_form("FLUSH [{P@+}++]", cache_line<SystemAction::flush_line, true>,
+               "write the line back where it is dirty, and step to the next line"),
+    cache_form("FLUSHINV [{P@}]", cache_line<SystemAction::flush_invalidate_line, false>,
+               "write the line back where it is dirty, and forget it"),
+    cache_form("FLUSHINV [{P@+}++]", cache_line<SystemAction::flush_invalidate_line, true>,
+               "write the line back where it is dirty, forget it, and step to the next line"),
+    cache_form("IFLUSH [{P@}]", cache_line<SystemAction::flush_code_line, false>,
+               "forget the line of the instruction cache"),
+    cache_form("IFLUSH [{P@+}++]", cache_line<SystemAction::flush_code_line, true>,
+               "forget the line of the instruction cache, and step to the next line"),
     {.syntax = "NOP",
      .length = 2,
      .slot = Slot::nop,

@@ -1,10 +1,10 @@
 // The peripheral bus and everything on it: system registers from 0xFFC00000 to 0xFFDFFFFF.
 //
 // Models: DMA1, DMA2, IMDMA, SICA and SICB, parallel ports, watchdogs, timers, flags, the UART, the
-// host port; reads that hold the core, posted writes. A write takes effect at the time it is made,
-// though the bus is busy with it for a while; SSYNC waits for that. Does not model: PLL, SPORT,
-// SPI: an access there is a GuestFault that names the nearest register there is. Source:
-// hardware.md 1.6, 3.1, 4.
+// external port, the host port; reads that hold the core, posted writes. A write takes effect at
+// the time it is made, though the bus is busy with it for a while; SSYNC waits for that. Does not
+// model: PLL, SPORT, SPI: an access there is a GuestFault that names the nearest register there is.
+// Source: hardware.md 1.6, 3.1, 4.
 #pragma once
 
 #include <array>
@@ -17,6 +17,7 @@
 #include <common/device.hpp>
 #include <common/units.hpp>
 #include <dma_model/dma_controller.hpp>
+#include <isa_sim/machine/external_port.hpp>
 #include <isa_sim/machine/host_port.hpp>
 #include <isa_sim/machine/machine_description.hpp>
 #include <isa_sim/machine/peripherals.hpp>
@@ -89,6 +90,7 @@ class DeviceBus {
   InterruptRegisters sica_{interrupts_, 0};
   InterruptRegisters sicb_{interrupts_, 1};
   HostPort host_;
+  ExternalPort external_port_;
   dma::DmaController dma1_;
   dma::DmaController dma2_;
   dma::DmaController imdma_;

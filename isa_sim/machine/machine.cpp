@@ -211,6 +211,14 @@ class Machine::Implementation final : public core::SystemPort {
     }
   }
 
+  [[nodiscard]] std::vector<std::string> stale_reports() const {
+    std::vector<std::string> lines;
+    for (const memory::StaleReport& report : memory_.stale_watch().reports()) {
+      lines.push_back(stale_line(report));
+    }
+    return lines;
+  }
+
   [[nodiscard]] std::uint32_t stack_used(CoreId core) const {
     const ir::PlacedObject* stack = image_.stack_of(static_cast<ir::Owner>(core));
     if (stack == nullptr) {
@@ -228,6 +236,39 @@ class Machine::Implementation final : public core::SystemPort {
   [[nodiscard]] const CounterRegistry& counters() const { return counters_; }
 
  private:
+  // "core_b in census (0xffa00010, census.c:12)", "mdma1_0".
+  [[nodiscard]] std::string who(const memory::Accessor& accessor) const {
+    std::string text(memory::kInitiatorNames[static_cast<std::size_t>(accessor.initiator)]);
+    if (accessor.site != memory::kNoSite) {
+      text += " in " + cores_[static_cast<std::size_t>(accessor.initiator)]->place(accessor.site);
+    }
+    return text;
+  }
+  [[nodiscard]] std::string stale_line(const memory::StaleReport& report) const {
+    const std::string what =
+        fmt::format("{} at {:#010x}", memory_.object_name(report.object), report.address);
+    const std::string reader = who(report.reader);
+    const std::string other = who(report.other);
+    const std::string often = fmt::format("{} time{}, first at cycle {}", report.times,
+                                          report.times == 1 ? "" : "s", report.at);
+    switch (report.kind) {
+      case memory::StaleKind::old_in_cache:
+        return fmt::format(
+            "{}: {} read an old copy in its data cache; {} has changed it since ({})", what, reader,
+            other, often);
+      case memory::StaleKind::old_in_memory:
+        return fmt::format("{}: {} read old memory; {} stored what is still in its data cache ({})",
+                           what, reader, other, often);
+      case memory::StaleKind::overwritten:
+        return fmt::format("{}: {} wrote a line back over what {} has changed ({})", what, reader,
+                           other, often);
+      case memory::StaleKind::dropped:
+        return fmt::format("{}: {} turned the data cache off and lost what {} stored ({})", what,
+                           reader, other, often);
+    }
+    return "";
+  }
+
   [[nodiscard]] static bool active(const core::Core& core) {
     return core.started() && !core.sleeping();
   }
@@ -327,6 +368,8 @@ core::CoreProfile Machine::profile(CoreId core) const {
 const isa::ExecutionState& Machine::state(CoreId core) const {
   return implementation_->core_at(static_cast<int>(core)).state();
 }
+
+std::vector<std::string> Machine::stale_reports() const { return implementation_->stale_reports(); }
 
 std::uint32_t Machine::stack_used(CoreId core) const { return implementation_->stack_used(core); }
 

@@ -2,7 +2,7 @@
 //
 // Models: actors (core A, core B, devices) ordered by (time, number). A core runs ahead on its
 // own L1 memory; at the first access that others can see it waits until everybody has reached that
-// time, so that results do not depend on the host. Does not model yet: caches, power modes,
+// time, so that results do not depend on the host. Does not model yet: power modes,
 // changes of clock (docs/architecture.md).
 #pragma once
 
@@ -94,6 +94,9 @@ class Machine {
 
   [[nodiscard]] const CounterRegistry& counters() const;
   [[nodiscard]] core::CoreProfile profile(CoreId core) const;
+  // What the data caches hid from somebody, a line for each combination of object and places, in
+  // the order in which it happened first (memory_model/stale_watch.hpp).
+  [[nodiscard]] std::vector<std::string> stale_reports() const;
   // A core's registers and flags, for whoever looks at them when it stands still.
   [[nodiscard]] const isa::ExecutionState& state(CoreId core) const;
   // Bytes of a core's stack, from its top down to the deepest that was ever changed; 0 when the

@@ -27,6 +27,18 @@ std::vector<ParameterBase*> MachineDescription::parameters() {
   return all;
 }
 
+memory::MemoryMap MachineDescription::placement_map() const {
+  memory::MemoryMap places = map;
+  for (memory::Region& region : places.regions) {
+    const bool data_cache = (region.name == "l1.data.a" && memory.cache_data_banks > 0) ||
+                            (region.name == "l1.data.b" && memory.cache_data_banks > 1);
+    if (data_cache || (region.name == "l1.code.cache" && memory.cache_code > 0)) {
+      region.size -= region.cache_bytes;
+    }
+  }
+  return places;
+}
+
 namespace {
 
 template <class ParameterPointer>

@@ -33,6 +33,8 @@ struct MachineDescription {
   peripheral::CameraParameters camera;
   core::CoreParameters core;
 
+  // The map without what is cache from reset on: where things can be placed.
+  [[nodiscard]] memory::MemoryMap placement_map() const;
   // All parameters, group by group, in the order of their declaration.
   [[nodiscard]] std::vector<ParameterBase*> parameters();
   [[nodiscard]] std::vector<const ParameterBase*> parameters() const;

@@ -182,7 +182,7 @@ class MachineReader {
   }
 
   void change_region(const toml::table& table, Region& region) const {
-    check_keys(table, {"base", "size", "code", "data", "dma_reachable"});
+    check_keys(table, {"base", "size", "code", "data", "dma_reachable", "cache_bytes"});
     if (table.contains("base")) {
       region.base = number(table, "base", 0);
     }
@@ -192,11 +192,14 @@ class MachineReader {
     region.code = flag(table, "code", region.code);
     region.data = flag(table, "data", region.data);
     region.dma_reachable = flag(table, "dma_reachable", region.dma_reachable);
+    region.cache_bytes = table.contains("cache_bytes") ? cache_bytes(table, region)
+                                                       : std::min(region.cache_bytes, region.size);
     check_end(table.source(), region);
   }
 
   Region read_region(const toml::table& table) const {
-    check_keys(table, {"name", "base", "size", "level", "core", "code", "data", "dma_reachable"});
+    check_keys(table, {"name", "base", "size", "level", "core", "code", "data", "dma_reachable",
+                       "cache_bytes"});
     Region region;
     region.name = text("region.name", required(table, "name"));
     region.base = number(table, "base", 0);
@@ -206,6 +209,7 @@ class MachineReader {
     region.code = flag(table, "code", false);
     region.data = flag(table, "data", false);
     region.dma_reachable = flag(table, "dma_reachable", true);
+    region.cache_bytes = cache_bytes(table, region);
     if ((region.level == Level::l1) != (region.core >= 0)) {
       fail(table.source(), region.level == Level::l1
                                ? fmt::format("region {}: an l1 region needs core = \"core_a\" or "
@@ -232,6 +236,20 @@ class MachineReader {
         fail(key.source(), unknown("key of a region:", std::string(key.str()), known));
       }
     }
+  }
+
+  std::uint32_t cache_bytes(const toml::table& table, const Region& region) const {
+    if (!table.contains("cache_bytes")) {
+      return 0;
+    }
+    const std::uint32_t bytes = number(table, "cache_bytes", 0);
+    if (region.level != Level::l1 || bytes > region.size) {
+      fail(table.get("cache_bytes")->source(),
+           fmt::format("region {}: cache_bytes are the last bytes of an l1 region that can be "
+                       "cache, at most its size",
+                       region.name));
+    }
+    return bytes;
   }
 
   const toml::node& required(const toml::table& table, std::string_view key) const {

@@ -36,10 +36,17 @@ class CoreHarness : public SystemPort {
 
   // Runs to IDLE or the program's end; returns the cycles it took.
   Cycles run(const Core::Start& how = {EventController::kSupervisor, kCyclesRun}) {
+    return run_beside([] {}, how);
+  }
+  // `before`: what happens to the memory when the core is there and has not begun.
+  template <class Before>
+  Cycles run_beside(const Before& before,
+                    const Core::Start& how = {EventController::kSupervisor, kCyclesRun}) {
     core_ = std::make_unique<Core>(CoreId::a, image_.cores[0], parameters_, 1, *memory_, *this);
     if (sink_) {
       core_->trace(sink_);
     }
+    before();
     core_->start(0, how);
     while (!core_->sleeping()) {
       core_->run({});

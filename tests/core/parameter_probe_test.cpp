@@ -105,8 +105,27 @@ TEST(Idle, WakesAfterItsLatency) {
   EXPECT_EQ(cycles(25), 1000U + 25 + 2);
 }
 
+// A hundred loads, one a cycle, while a burst brings 32 words into their sub-bank: of five cycles
+// one has a word, of whose halves every second is the loads'.
+TEST(SubBank, DmaGoesFirst) {
+  const auto cycles = [](int stall) {
+    CoreHarness harness(program(
+        std::string(kPointer) + "P1 = 160; LSETUP (.Lx, .Lx) LC0 = P1; .Lx: R1 = [P0];", kBuffer));
+    harness.set("core.sub_bank.dma_conflict_cycles", stall);
+    const ir::PlacedObject& buffer = harness.image().objects[0];
+    return harness.run_beside([&] {
+      const memory::DmaRun run{.address = buffer.address + 256, .stride = 4, .count = 32};
+      harness.memory().dma_burst(memory::Initiator::mdma1_0, memory::Direction::write, {&run, 1}, 4,
+                                 0, 0);
+    });
+  };
+  EXPECT_EQ(cycles(1), cycles(0) + 16);
+  EXPECT_EQ(cycles(3), cycles(0) + 3 * 16);
+}
+
 TEST(Parameters, EachHasAProbe) {
-  std::set<std::string> probed = {"core.store_buffer.stay_cycles", "core.idle.wake_cycles"};
+  std::set<std::string> probed = {"core.store_buffer.stay_cycles", "core.idle.wake_cycles",
+                                  "core.sub_bank.dma_conflict_cycles"};
   for (const ParameterProbe& probe : kProbes) {
     probed.insert(probe.name);
   }

@@ -21,9 +21,17 @@ void call(Trial& t) {
   jump(t);
   save_return(t);
 }
-// One cache line on; there are no caches.
 void nothing(Trial&) {}
-void next_line(Trial& t) { t.set(0, Exact{t.word(0)} + 32); }
+// The line that the register points to, and one line on.
+template <SystemAction action>
+void line(Trial& t) {
+  t.act(action, t.word(0));
+}
+template <SystemAction action>
+void next_line(Trial& t) {
+  line<action>(t);
+  t.set(0, Exact{t.word(0)} + 32);
+}
 template <Register from, SystemAction action>
 void event_return(Trial& t) {
   t.after.next_address = t.before.reg[from];
@@ -109,14 +117,14 @@ constexpr Law kLaws[] = {
     {"RAISE {uimm4}", asks_with_operand<SystemAction::raise>},
     {"EXCPT {uimm4}", asks_with_operand<SystemAction::exception>},
     {"NOP", nothing},
-    {"PREFETCH [{P@}]", nothing},
-    {"PREFETCH [{P@+}++]", next_line},
-    {"FLUSH [{P@}]", nothing},
-    {"FLUSH [{P@+}++]", next_line},
-    {"FLUSHINV [{P@}]", nothing},
-    {"FLUSHINV [{P@+}++]", next_line},
-    {"IFLUSH [{P@}]", nothing},
-    {"IFLUSH [{P@+}++]", next_line},
+    {"PREFETCH [{P@}]", line<SystemAction::prefetch_line>},
+    {"PREFETCH [{P@+}++]", next_line<SystemAction::prefetch_line>},
+    {"FLUSH [{P@}]", line<SystemAction::flush_line>},
+    {"FLUSH [{P@+}++]", next_line<SystemAction::flush_line>},
+    {"FLUSHINV [{P@}]", line<SystemAction::flush_invalidate_line>},
+    {"FLUSHINV [{P@+}++]", next_line<SystemAction::flush_invalidate_line>},
+    {"IFLUSH [{P@}]", line<SystemAction::flush_code_line>},
+    {"IFLUSH [{P@+}++]", next_line<SystemAction::flush_code_line>},
     {"TESTSET ({P@})",
      [](Trial& t) {
        t.after.cc = t.load(t.word(0), 1) == 0;

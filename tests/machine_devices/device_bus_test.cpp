@@ -52,6 +52,7 @@ TEST_F(DeviceBusTest, RegistersHaveTheBf561sNames) {
   EXPECT_EQ(bus_.register_name(0xFFC018B8), "IMDMA_D1_CURR_Y_COUNT");
   EXPECT_EQ(bus_.register_name(0xFFC0F00C), "HOST_FRAME_GRAB");
   EXPECT_EQ(bus_.register_name(0xFFC01310), "PPI1_FRAME");
+  EXPECT_EQ(bus_.register_name(0xFFC00A10), "EBIU_SDGCTL");
   EXPECT_EQ(bus_.register_name(0xFFC00500), "");
 }
 
@@ -70,7 +71,7 @@ TEST_F(DeviceBusTest, EveryNamedRegisterCanBeReadUnlessItsFaultSaysWhyNot) {
     }
   }
   const int dma = 2 * (16 * 13 + 2) + 4 * 12;
-  EXPECT_EQ(registers, 2 * 15 + dma + 10 + 2 * 5 + 2 * 3 + 9 + 12 * 4 + 2 * 3 + 3 * 17);
+  EXPECT_EQ(registers, 2 * 15 + dma + 10 + 7 + 2 * 5 + 2 * 3 + 9 + 12 * 4 + 2 * 3 + 3 * 17);
 }
 
 TEST_F(DeviceBusTest, AReadHoldsTheCoreAndAWriteOnlyBehindAnother) {

@@ -85,9 +85,16 @@ TEST_F(AccessTiming, TestAndSetIsAReadAndACompletedWriteWithThePortKept) {
 }
 
 TEST_F(AccessTiming, InstructionFetchOf64Bits) {
-  EXPECT_EQ(memory().fetch_line_cost(Level::l1), 0U);
-  EXPECT_EQ(memory().fetch_line_cost(Level::l2), 8U);
-  EXPECT_EQ(memory().fetch_line_cost(Level::l3), 9 * kSclk - 1);
+  EXPECT_EQ(memory().fetch_code(0, Level::l2, kL2, 8, 100), 8U);
+  EXPECT_EQ(memory().fetch_code(0, Level::l3, kL3, 8, 1000), (3 + 9) * kSclk - 1);  // opens the row
+  EXPECT_EQ(memory().fetch_code(0, Level::l3, kL3 + 8, 8, 2000), 9 * kSclk - 1);
+}
+
+// Fetches take the ports from others, and wait for them.
+TEST_F(AccessTiming, InstructionFetchContends) {
+  read(1, kL2, 100);  // until 109
+  EXPECT_EQ(memory().fetch_code(0, Level::l2, kL2, 8, 100), 9U + 2 + 8);
+  EXPECT_EQ(read(1, kL2, 119), 1U + 2 + 8);
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ TEST_F(SdramTimingTest, WithEveryLatencyAtItsLeastNothingStalls) {
     EXPECT_EQ(read(0, address, ++now), 0U);
     EXPECT_EQ(write(1, address, ++now), 0U);
   }
-  EXPECT_EQ(memory().fetch_line_cost(Level::l2), 0U);
+  EXPECT_EQ(memory().fetch_code(0, Level::l2, kL2, 8, ++now), 0U);
 }
 
 TEST_F(SdramTimingTest, BankAndPageSizesMustFitTheRegion) {

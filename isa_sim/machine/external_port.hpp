@@ -1,0 +1,40 @@
+// The registers of the external port (EBIU): what the SDRAM is, and how fast.
+//
+// Models: SDGCTL (CL, tRAS, tRP, tRCD, tWR, which change the time of accesses from the write on),
+// SDRRC (the refresh period), SDBCTL (size, columns), SDSTAT (idle), AMGCTL and AMBCTL0/1 (which
+// keep what is written). After reset they tell what the machine's parameters say. Does not model:
+// the power-up sequence, self-refresh, CDPRIO, asynchronous memory. Source: hardware.md 2.4, 2.5;
+// addresses and bits as in the EBIU registers of defBF561.h.
+#pragma once
+
+#include <cstdint>
+
+#include <common/device.hpp>
+#include <memory_model/memory_system.hpp>
+
+namespace finback::machine {
+
+class ExternalPort final : public Device {
+ public:
+  static constexpr std::uint32_t kRegisterBytes = 0x20;
+
+  explicit ExternalPort(memory::MemorySystem& memory) : memory_(memory) {}
+
+  [[nodiscard]] const DeviceRegister* find_register(std::uint32_t offset) const override;
+  [[nodiscard]] std::uint32_t read(std::uint32_t offset, int bytes, Cycles now) override;
+  void write(std::uint32_t offset, int bytes, std::uint32_t value, Cycles now) override;
+
+ private:
+  [[nodiscard]] std::uint32_t global_control() const;
+  [[nodiscard]] std::uint32_t bank_control() const;
+  [[nodiscard]] std::uint32_t refresh_rate() const;
+  void set_global_control(std::uint32_t value);
+  void set_bank_control(std::uint32_t value) const;
+
+  memory::MemorySystem& memory_;
+  std::uint32_t other_control_ = 0x00800001;  // SDGCTL's bits without time: PSS, SCTLE
+  std::uint32_t async_global_ = 0x00F2;       // AMGCTL after reset: all banks, CLKOUT off
+  std::uint32_t async_banks_[2] = {0xFFC2FFC2, 0xFFC2FFC2};
+};
+
+}  // namespace finback::machine

@@ -1,0 +1,210 @@
+// docs/fidelity.md holds what was published of single instructions and accesses (hardware.md,
+// sections 1 to 3, marks V and D) against what is simulated, with nobody else about.
+#include <cmath>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <functional>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core_harness.hpp"
+#include <common/file.hpp>
+
+namespace finback::core {
+namespace {
+
+struct Figure {
+  std::string what;
+  double published = 0;
+  const char* unit = "CCLK";
+  const char* source = "";  // mark and section
+  std::function<double()> simulated;
+};
+
+// ---- instructions ----
+
+constexpr const char* kSetUp =
+    "P0.L = _buffer; P0.H = _buffer; I0 = P0; P5 = P0; P3 = P0; P3 += 4; I1 = P3; R0 = 0 (X); R1 = "
+    "0 (X); CC = R0 == 0;"
+    "R7 = 0x80 (X); P1 = 2; NOP; NOP; NOP; NOP; NOP;\n";
+constexpr const char* kBuffer =
+    ".data\n.align 8\n.type _buffer, @object\n_buffer: .space 8192\n.size _buffer, 8192\n";
+
+double cycles(const std::string& body) {
+  CoreHarness harness(".text\n.global _start\n.type _start, @function\n.align 8\n_start:\n" +
+                      std::string(kSetUp) + body + "\nIDLE;\nRTS;\n.size _start, .-_start\n" +
+                      kBuffer);
+  return static_cast<double>(harness.run());
+}
+// Of `body` beside `without`.
+Figure instruction(const std::string& what, double published, const char* source,
+                   const std::string& body, const std::string& without = "") {
+  return {what, published, "CCLK", source, [=] { return cycles(body) - cycles(without); }};
+}
+
+// ---- accesses ----
+
+class Memory {
+ public:
+  explicit Memory(int bus_bytes = 4) {
+    parameters_.sdram_bus_bytes.set(bus_bytes);
+    parameters_.sdram_page_bytes.set(512 * bus_bytes);
+    system_ = std::make_unique<memory::MemorySystem>(memory::bf561_map(), parameters_, clock_,
+                                                     std::vector<memory::ObjectPlace>{});
+  }
+  // Cycles of one access, its own included, when `count` of `bytes` follow each other `apart`.
+  double each(bool write, int bytes, Address apart, int count = 20'000) {
+    Cycles now = 0;
+    for (int i = 0; i < count; ++i) {
+      const Address address = static_cast<Address>(i) * apart % 0x2000000;
+      memory::Span* span = system_->find_span(0, address);
+      now += 1 + (write ? system_->core_write(0, span, address, bytes, now)
+                        : system_->core_read(0, span, address, bytes, now));
+    }
+    return static_cast<double>(now) / count;
+  }
+  double cached(int bytes, Address apart, int count = 20'000) {
+    system_->configure_data_cache(0, 1, false, {}, 0);
+    Cycles now = 0;
+    for (int i = 0; i < count; ++i) {
+      const Address address = static_cast<Address>(i) * apart % 0x2000000;
+      now += 1 + system_
+                     ->cached_access(0, system_->find_span(0, address), address, bytes, false,
+                                     memory::CachePolicy::write_through, 0, now)
+                     .stall;
+    }
+    return static_cast<double>(now) / count;
+  }
+  // Beside a refresh: the second of two accesses.
+  double second(Address first, Address address, int bytes) {
+    system_->core_read(0, system_->find_span(0, first), first, bytes, 0);
+    return 1.0 + static_cast<double>(
+                     system_->core_read(0, system_->find_span(0, address), address, bytes, 1000));
+  }
+  double line() {
+    system_->configure_data_cache(0, 1, false, {}, 0);
+    const auto load = [&](Address address, Cycles now) {
+      return system_
+          ->cached_access(0, system_->find_span(0, address), address, 4, false,
+                          memory::CachePolicy::write_back, 0, now)
+          .stall;
+    };
+    load(0, 0);  // opens the row
+    const Cycles first = 1000 + load(32, 1000) + 1;
+    return static_cast<double>(first + load(60, first) + 1 - 1000);
+  }
+  // SCLK for a word of a long stream of DMA.
+  double dma_word(std::uint32_t element_bytes, Address base) {
+    constexpr int kBursts = 500;
+    Cycles now = 0;
+    for (Address i = 0; i < kBursts; ++i) {
+      const memory::DmaRun run{.address = base + i * 16 * element_bytes,
+                               .stride = static_cast<std::int32_t>(element_bytes),
+                               .count = 16};
+      now = system_->dma_burst(memory::Initiator::mdma1_0, memory::Direction::read, {&run, 1},
+                               element_bytes, now, now);
+    }
+    return static_cast<double>(now) / 5 / kBursts / 16;
+  }
+
+ private:
+  memory::MemoryParameters parameters_;
+  memory::ClockParameters clock_;
+  std::unique_ptr<memory::MemorySystem> system_;
+};
+
+std::vector<Figure> instructions() {
+  return {
+      instruction("IF CC JUMP, not taken, as predicted", 1, "V 1.4", "IF !CC JUMP .Lx; .Lx: NOP;",
+                  "NOP;"),
+      instruction("IF CC JUMP (BP), taken, as predicted", 5, "V 1.4",
+                  "IF CC JUMP .Lx (BP); NOP; .Lx: NOP;", "NOP;"),
+      instruction("IF CC JUMP, wrongly predicted", 9, "V 1.4", "IF CC JUMP .Lx; NOP; .Lx: NOP;",
+                  "NOP;"),
+      instruction("JUMP.S", 5, "V 1.4", "JUMP.S .Lx; .Lx: NOP;", "NOP;"),
+      instruction("CALL and RTS", 10, "V 1.4", "CALL .Lx; JUMP.S .Ly; .Lx: RTS; .Ly: NOP;",
+                  "JUMP.S .Ly; .Ly: NOP;"),
+      instruction("IF CC R1 = R0", 1, "V 1.4", "IF CC R1 = R0;"),
+      instruction("LSETUP", 1, "V 1.4", "LSETUP (.Lx, .Lx) LC0 = P1; .Lx: NOP;", "NOP; NOP;"),
+      instruction("load of a P register, then its use as an address", 3, "V 1.5",
+                  "P2 = [P0]; P3 = P2 + P0;", "P2 = [P0]; NOP;"),
+      instruction("load, then its use by the ALU", 0, "D 1.5", "R2 = [P0]; R3 = R2 + R0;",
+                  "R2 = [P0]; NOP;"),
+      instruction("move to a P register, then its use as an address", 4, "V 1.5",
+                  "P2 = R0; P3 = P2 + P0;", "P2 = R0; NOP;"),
+      instruction("R1 *= R0", 3, "V 1.6", "R1 *= R0;"),
+      instruction("A0 += R0.L * R1.L", 1, "V 1.6", "A0 += R0.L * R1.L;"),
+      instruction("push of 14 registers", 14, "V 1.6", "[--SP] = (R7:0, P5:0);"),
+      instruction("pop of 11 registers", 11, "V 1.6", "SP += -44; (R7:0, P5:3) = [SP++];",
+                  "SP += -44;"),
+      instruction("LINK and UNLINK", 5, "V 1.6", "LINK 8; UNLINK;"),
+      instruction("CSYNC", 10, "V 1.6", "CSYNC;"),
+      instruction("SSYNC, nothing pending", 10, "V 1.6", "SSYNC;"),
+      instruction("STI", 3, "V 1.6", "STI R0;"),
+      instruction("CLI", 1, "V 1.6", "CLI R2;"),
+      instruction("DIVS", 1, "V 1.6", "DIVS (R0, R1);"),
+      instruction("ONES", 1, "V 1.6", "R2.L = ONES R1;", ""),
+      instruction("SAA with two loads", 1, "V 1.6",
+                  "SAA (R1:0, R3:2) || R0 = [I0++] || R2 = [I1++];", ""),
+      instruction("load from L1", 1, "V 2.2", "R2 = [P0];"),
+  };
+}
+
+std::vector<Figure> accesses() {
+  return {
+      {"core's read, 32-bit bus, up to 32 bits", 8, "SCLK", "D 2.4",
+       [] { return Memory().second(0, 4, 4) / 5; }},
+      {"core's read, 16-bit bus, 16 bits", 8, "SCLK", "V 2.4",
+       [] { return Memory(2).second(0, 4, 2) / 5; }},
+      {"core's read, 16-bit bus, 32 bits", 9, "SCLK", "V 2.4",
+       [] { return Memory(2).second(0, 4, 4) / 5; }},
+      {"16-bit reads in a row, 16-bit bus, each", 40.4, "CCLK", "V 2.4",
+       [] { return Memory(2).each(false, 2, 2); }},
+      {"16-bit reads, a row changed every time, each", 141.5, "CCLK", "V 2.4",
+       [] { return Memory(2).each(false, 2, 1024); }},
+      {"row miss, read, beside a hit", 30, "CCLK", "D 2.4",
+       [] { return Memory().second(0, 2048, 4) - Memory().second(0, 4, 4); }},
+      {"line fill, 32-bit bus", 75, "CCLK", "D 2.4", [] { return Memory().line(); }},
+      {"cached 16-bit reads in a row, 16-bit bus, a line", 123, "CCLK", "V 2.4",
+       [] { return 16 * Memory(2).cached(2, 2); }},
+      {"16-bit writes in a row, 16-bit bus, each", 5.2, "CCLK", "V 2.4",
+       [] { return Memory(2).each(true, 2, 2); }},
+      {"16-bit writes, a row changed every time, each", 45.7, "CCLK", "V 2.4",
+       [] { return Memory(2).each(true, 2, 1024); }},
+      {"DMA of 16-bit words, 16-bit bus, each", 1, "SCLK", "V 2.4",
+       [] { return Memory(2).dma_word(2, 0); }},
+  };
+}
+
+std::string row(const Figure& figure) {
+  const double simulated = figure.simulated();
+  const bool within = std::abs(simulated - figure.published) <= 0.05 * figure.published;
+  return fmt::format("| {} | {:g} | {:.4g} | {} | {} | {} |", figure.what, figure.published,
+                     simulated, figure.unit, figure.source, within ? "within 5 %" : "**not**");
+}
+
+TEST(PublishedFigures, StandOnThePageAsTheyAreSimulated) {
+  const std::string page = read_text_file(FINBACK_FIDELITY_PAGE);
+  for (const std::vector<Figure>& figures : {instructions(), accesses()}) {
+    for (const Figure& figure : figures) {
+      EXPECT_THAT(page, testing::HasSubstr("\n" + row(figure) + "\n"));
+    }
+  }
+}
+
+// What is not within stands on the page with its reason; nothing may join it unseen.
+TEST(PublishedFigures, AreMetButForThoseThatThePageExplains) {
+  std::vector<std::string> missed;
+  for (const std::vector<Figure>& figures : {instructions(), accesses()}) {
+    for (const Figure& figure : figures) {
+      if (row(figure).find("**not**") != std::string::npos) {
+        missed.push_back(figure.what);
+      }
+    }
+  }
+  EXPECT_THAT(missed, testing::ElementsAre("16-bit reads, a row changed every time, each",
+                                           "DMA of 16-bit words, 16-bit bus, each"));
+}
+
+}  // namespace
+}  // namespace finback::core
