@@ -36,8 +36,7 @@ TEST(Races, WatchingChangesNothing) {
 class FirmwareWithoutAWait {
  public:
   FirmwareWithoutAWait()
-      : folder_(fs::temp_directory_path() /
-                fmt::format("finback-race-{}", ::getpid())) {
+      : folder_(fs::temp_directory_path() / fmt::format("finback-race-{}", ::getpid())) {
     fs::remove_all(folder_);
     fs::copy(share_folder() / "firmware" / "mesvs2", folder_);
     const fs::path unit = folder_ / "main_b.bir";
