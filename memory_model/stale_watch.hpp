@@ -27,7 +27,10 @@ inline constexpr std::uint32_t kNoSite = ~std::uint32_t{0};
 struct Accessor {
   Initiator initiator = Initiator::host;
   std::uint32_t site = kNoSite;
-  auto operator<=>(const Accessor&) const = default;
+  bool operator==(const Accessor&) const = default;
+  [[nodiscard]] bool operator<(const Accessor& other) const {
+    return std::tie(initiator, site) < std::tie(other.initiator, other.site);
+  }
 };
 
 enum class StaleKind : std::uint8_t {

@@ -35,7 +35,7 @@ class PlainCache {
         write_back(lines.front());
         lines.pop_front();
       }
-      const auto from = memory_.begin() + address / 32 * 32;
+      const auto from = memory_.begin() + std::ptrdiff_t{address / 32} * 32;
       line = lines.insert(lines.end(), {address / 32 * 32, false, {from, from + 32}});
     }
     if (line != lines.end()) {
