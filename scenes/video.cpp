@@ -1,4 +1,4 @@
-// Sequences from videos, by OpenCV's videoio where it was there when Finback was built.
+// Sequences from videos, by OpenCV's videoio where Finback was built with it.
 #include <fmt/format.h>
 
 #include <common/error.hpp>
@@ -126,7 +126,7 @@ bool reads_videos() { return false; }
 std::unique_ptr<FrameSequence> video_sequence(const std::vector<fs::path>& paths) {
   throw InputError(
       fmt::format("{}: this Finback was built without OpenCV's videoio and reads no videos; give a "
-                  "folder of left_* and right_* pictures, or build it with libopencv-videoio-dev",
+                  "folder of left_* and right_* pictures, or build it with -DFINBACK_VIDEO=ON",
                   paths.front().string()));
 }
 
