@@ -128,7 +128,8 @@ PixelMap pixel_map(const Intrinsics& camera, const Matrix3d& rotation, const Int
   PixelMap map{width, height, Points2(2, Index{width} * height)};
   Points2 plane(2, map.sources.cols());
   for (Index n = 0; n < plane.cols(); ++n) {
-    const Vector2d pixel(static_cast<double>(n % width), static_cast<double>(n / width));
+    const Index row = n / width;
+    const Vector2d pixel(static_cast<double>(n % width), static_cast<double>(row));
     const Vector2d seen = (pixel - rectified.principal).cwiseQuotient(rectified.focal);
     plane.col(n) = (rotation.transpose() * seen.homogeneous()).hnormalized();
   }

@@ -44,7 +44,7 @@ Matrix3d nearest_rotation(const Matrix3d& matrix) {
     throw InputError("rotation matrix: it has elements that are no numbers");
   }
   const Eigen::JacobiSVD<Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Matrix3d nearest = svd.matrixU() * svd.matrixV().transpose();
+  Matrix3d nearest = svd.matrixU() * svd.matrixV().transpose();
   const double off = (nearest - matrix).cwiseAbs().maxCoeff();
   if (nearest.determinant() < 0 || off > kFar) {
     throw InputError(fmt::format(

@@ -15,8 +15,8 @@ struct Sums {
   std::int64_t values = 0;
   std::int64_t squares = 0;
   void add(int value, int sign) {
-    values += sign * value;
-    squares += sign * value * value;
+    values += std::int64_t{sign} * value;
+    squares += std::int64_t{sign} * value * value;
   }
   void add(const Sums& other, int sign) {
     values += sign * other.values;

@@ -209,6 +209,8 @@ class Core {
       raise_exception(operation, kSupervisorResource, problem.what());
     }
   }
+  void fall_asleep(const isa::Operation& operation);
+  void drain_writes(const isa::Operation& operation);
   void act(const isa::Operation& operation, isa::SystemAction action, std::uint32_t value);
 
   CoreId id_;

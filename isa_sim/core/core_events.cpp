@@ -285,29 +285,36 @@ void Core::set_cycle_count(const Operation& operation, Cycles count) {
   cycle_base_ = cycles_run_ ? now(operation) - count : count;
 }
 
+void Core::fall_asleep(const Operation& operation) {
+  require_supervisor(operation, "IDLE");
+  if (!wake_line_ && !events_.wants_attention(state_.interrupt_mask)) {
+    sleeping_ = true;
+    idle_packet_ = operation.site;
+    turn_.horizon = 0;
+  }
+}
+
+void Core::drain_writes(const Operation& operation) {
+  const Cycles drained =
+      std::max(memory_.writes_drained_at(number_), port_.device_writes_drained_at(number_));
+  if (drained > now(operation)) {
+    add_stall(operation, Cause::device, drained - now(operation));
+  }
+}
+
 void Core::act(const Operation& operation, SystemAction action, std::uint32_t value) {
   switch (action) {
     case SystemAction::idle:
-      require_supervisor(operation, "IDLE");
-      if (!wake_line_ && !events_.wants_attention(state_.interrupt_mask)) {
-        sleeping_ = true;
-        idle_packet_ = operation.site;
-        turn_.horizon = 0;
-      }
+      fall_asleep(operation);
       break;
     case SystemAction::core_sync:
       break;
     case SystemAction::disable_interrupts:
       require_supervisor(operation, "CLI");
       break;
-    case SystemAction::system_sync: {
-      const Cycles drained =
-          std::max(memory_.writes_drained_at(number_), port_.device_writes_drained_at(number_));
-      if (drained > now(operation)) {
-        add_stall(operation, Cause::device, drained - now(operation));
-      }
+    case SystemAction::system_sync:
+      drain_writes(operation);
       break;
-    }
     case SystemAction::enable_interrupts:
       require_supervisor(operation, "STI");
       turn_.horizon = 0;
