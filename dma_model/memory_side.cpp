@@ -56,9 +56,9 @@ void MemorySide::act(Cycles now) {
   if (done_at_ <= now) {
     done_at_ = kNever;
     if (fetching_) {
-      end_descriptor();
+      end_descriptor(now);
     } else {
-      end_burst();
+      end_burst(now);
     }
   }
 }
@@ -203,11 +203,11 @@ void MemorySide::check_pair() const {
   }
 }
 
-void MemorySide::end_descriptor() {
+void MemorySide::end_descriptor(Cycles now) {
   std::array<std::uint8_t, std::size_t{2} * kMostDescriptorWords> bytes{};
   std::array<std::uint16_t, kMostDescriptorWords> words{};
   const std::uint32_t count = runs_.front().count;
-  memory_.gather(runs_, 2, bytes.data(), initiator_);
+  memory_.gather(runs_, 2, bytes.data(), initiator_, now);
   for (std::size_t i = 0; i < count; ++i) {
     words[i] = static_cast<std::uint16_t>(bytes[2 * i] | bytes[2 * i + 1] << 8U);
   }
@@ -217,7 +217,7 @@ void MemorySide::end_descriptor() {
   }
 }
 
-void MemorySide::end_burst() {
+void MemorySide::end_burst(Cycles now) {
   const std::uint32_t width = channel_.shape().element_bytes;
   const std::uint32_t bytes = elements_ * width;
   if (channel_.writes_memory()) {
@@ -225,7 +225,7 @@ void MemorySide::end_burst() {
     memory_.scatter(runs_, width, buffer_.data(), initiator_);
     fifo_.drop(bytes);
   } else {
-    memory_.gather(runs_, width, buffer_.data(), initiator_);
+    memory_.gather(runs_, width, buffer_.data(), initiator_, now);
     fifo_.push(buffer_.data(), bytes);
   }
   const std::uint32_t rows = channel_.walk().rows_done();

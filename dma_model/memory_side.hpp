@@ -70,8 +70,8 @@ class MemorySide {
   void check_pair() const;
   [[nodiscard]] Cycles burst(memory::Direction direction, std::uint32_t element_bytes, Cycles now);
   void begin_unit();
-  void end_descriptor();
-  void end_burst();
+  void end_descriptor(Cycles now);
+  void end_burst(Cycles now);
 
   DmaChannel channel_;
   memory::Initiator initiator_;

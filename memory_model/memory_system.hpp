@@ -3,9 +3,9 @@
 // Models: L1 of both cores, shared L2, SDRAM on the external bus; uncached accesses, posted writes,
 // contention between cores and DMA, open rows and refresh; the cores' data caches with their line
 // fills and write-backs; instruction fetch and the instruction caches; traffic by initiator, level
-// and object. Does not model: burst interruption, L1 stalls of a core by DMA in the same sub-bank
-// (at most one cycle a DMA word), the bytes of instruction fetches as traffic. Source: hardware.md
-// 2; the timing of the levels stands in l2_timing.hpp and sdram_timing.hpp.
+// and object; the sub-banks of L1 that DMA takes from a core (l1_bursts.hpp). Does not model: burst
+// interruption, the bytes of instruction fetches as traffic. Source: hardware.md 2; the timing of
+// the levels stands in l2_timing.hpp and sdram_timing.hpp.
 //
 // Calls that take `now` must come with non-decreasing `now`, whoever the initiator is.
 #pragma once
@@ -224,9 +224,9 @@ class MemorySystem {
                             std::uint32_t element_bytes, Cycles now, Cycles asked_at);
   // Move the bytes of a burst, without time or counts.
   void gather(std::span<const DmaRun> runs, std::uint32_t element_bytes, std::uint8_t* to,
-              Initiator initiator = Initiator::mdma1_0, Cycles now = 0);
+              Initiator initiator, Cycles now);
   void scatter(std::span<const DmaRun> runs, std::uint32_t element_bytes, const std::uint8_t* from,
-               Initiator initiator = Initiator::mdma1_0);
+               Initiator initiator);
 
   // --- the host and the loader ---
   // Count `size` bytes as initiator `host` and return where they lie; takes no time. Throws

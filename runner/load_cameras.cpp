@@ -56,6 +56,12 @@ Named load_frames(const std::string& from) {
   if (fs::is_directory(path)) {
     return {scenes::folder_sequence(path), path.lexically_normal().string(), folder_identity(path)};
   }
+  if (!fs::exists(path)) {
+    throw InputError(
+        fmt::format("--frames-from {}: there is no such folder or video, and the only scene that "
+                    "moves is 'moving'",
+                    from));
+  }
   return {scenes::video_sequence({path}), path.filename().string(),
           report::content_hash(read_text_file(path))};
 }

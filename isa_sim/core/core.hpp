@@ -3,9 +3,9 @@
 // Models: the instruction table's meanings; issue, interlocks, branches and hardware loops
 // (pipeline.hpp); stalls on L2, L3, device registers, the store buffer and fetch; interrupts,
 // taken between blocks, and exceptions, taken between packets; user mode and page protection; IDLE;
-// single steps; the caches (core_cache.cpp). Does not model: speculation, DMA that meets the core
-// in an L1 sub-bank. Source: hardware.md 1, 4; Programming Reference, chapters 3 and 4; the way to
-// speed: docs/architecture.md.
+// single steps; the caches (core_cache.cpp); DMA that takes an L1 sub-bank from the core. Does not
+// model: speculation. Source: hardware.md 1, 2, 4; Programming Reference, chapters 3, 4 and 6; the
+// way to speed: docs/architecture.md.
 //
 // The core runs ahead on what is its own. What others can see or change (L2, L3, devices) it
 // touches only before the time `shared_until` of its turn, to which the machine knows that nobody

@@ -7,6 +7,7 @@
 
 #include <common/error.hpp>
 #include <isa_sim/core/core.hpp>
+#include <isa_sim/ir/placement.hpp>
 #include <isa_sim/machine/device_bus.hpp>
 #include <isa_sim/machine/machine.hpp>
 #include <isa_sim/machine/machine_description.hpp>
@@ -20,11 +21,10 @@ namespace {
 constexpr std::uint8_t kStackPattern = 0xA5;
 
 std::vector<memory::ObjectPlace> places_of(const ir::Image& image, const memory::MemoryMap& map) {
-  constexpr std::array<const char*, 3> kOwners = {"core_a", "core_b", "shared"};
   std::vector<memory::ObjectPlace> places;
   for (const ir::PlacedObject& object : image.objects) {
-    places.push_back({object.name, kOwners[static_cast<std::size_t>(object.owner)], object.address,
-                      object.size});
+    places.push_back(
+        {object.name, std::string(ir::owner_name(object.owner)), object.address, object.size});
   }
   // Code outside L1 lies among data; code in L1 instruction memory is out of reach of loads and
   // stores.
@@ -32,7 +32,8 @@ std::vector<memory::ObjectPlace> places_of(const ir::Image& image, const memory:
     for (const ir::PlacedFunction& function : image.cores[core].functions) {
       const memory::Region* region = map.find(function.address);
       if (region != nullptr && region->level != memory::Level::l1) {
-        places.push_back({function.name, kOwners[core], function.address, function.size});
+        places.push_back(
+            {function.name, name_of(static_cast<CoreId>(core)), function.address, function.size});
       }
     }
   }

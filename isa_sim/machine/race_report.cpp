@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include <isa_sim/ir/placement.hpp>
 #include <isa_sim/machine/race_report.hpp>
 
 namespace finback::machine {
@@ -8,7 +9,6 @@ namespace finback::machine {
 namespace {
 
 std::string object_at(const ir::Image& image, Address address) {
-  constexpr std::array<const char*, 3> kOwners = {"core_a", "core_b", "shared"};
   const auto found = std::ranges::find_if(image.objects, [address](const ir::PlacedObject& object) {
     return address - object.address < object.size;
   });
@@ -16,7 +16,7 @@ std::string object_at(const ir::Image& image, Address address) {
     return fmt::format("{:#010x}", address);
   }
   return fmt::format("{}+{} of {} ({:#010x})", found->name, address - found->address,
-                     kOwners[static_cast<std::size_t>(found->owner)], address);
+                     ir::owner_name(found->owner), address);
 }
 
 }  // namespace

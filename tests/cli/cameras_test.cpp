@@ -72,7 +72,8 @@ TEST_F(Cameras, LensesChangeWhatIsSeen) {
 }
 
 TEST_F(Cameras, WhatCannotBeReadIsSaid) {
-  EXPECT_THAT(run("out", {"--frames-from", "nowhere"}), HasSubstr("nowhere"));
+  EXPECT_THAT(run("out", {"--frames-from", "nowhere"}),
+              HasSubstr("nowhere: there is no such folder or video"));
   EXPECT_THAT(run("out", {"--frames-from", "moving", "--scene", "aloe"}), HasSubstr("excludes"));
   EXPECT_THAT(run("out", {"--distort=-0.5,0"}), HasSubstr("fold the picture"));
   EXPECT_THAT(run("out", {"--distort", "1"}), HasSubstr("--distort"));

@@ -161,10 +161,10 @@ TEST_F(MemorySystemTest, GatherAndScatterFollowTheirRuns) {
   memory().store_bytes(kL2, bytes);
   const std::array<DmaRun, 2> runs = {{{kL2, 4, 3}, {kL2 + 15, -2, 2}}};
   std::array<std::uint8_t, 5> taken{};
-  memory().gather(runs, 1, taken.data());
+  memory().gather(runs, 1, taken.data(), Initiator::mdma1_0, 0);
   EXPECT_THAT(taken, testing::ElementsAre(0, 4, 8, 15, 13));
   const DmaRun row{kL3, 1, 5};
-  memory().scatter({&row, 1}, 1, taken.data());
+  memory().scatter({&row, 1}, 1, taken.data(), Initiator::mdma1_0);
   EXPECT_EQ(memory().view_bytes(kL3, 5)[3], 15);
 }
 
