@@ -1,15 +1,9 @@
 #include <algorithm>
-#include <cstdlib>
-#include <fcntl.h>
+#include <cmath>
 #include <fmt/format.h>
 #include <iterator>
-#include <spawn.h>
-#include <sstream>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <common/error.hpp>
-#include <common/file.hpp>
+#include <common/gnuplot.hpp>
 #include <explorer/plot.hpp>
 
 namespace finback::explorer {
@@ -25,40 +19,6 @@ constexpr const char* kGoalColour = "#2e7d32";
 // The room that a label takes, in parts of the picture.
 constexpr double kLabelWidth = 0.04;
 constexpr double kLabelHeight = 0.035;
-
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) {
-    result += c == '\'' ? "''" : std::string(1, c);
-  }
-  return result + "'";
-}
-
-bool gnuplot_installed() {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
-  std::string folder;
-  while (std::getline(folders, folder, ':')) {
-    if (::access((fs::path(folder) / "gnuplot").c_str(), X_OK) == 0) {
-      return true;
-    }
-  }
-  return false;
-}
-
-// Runs gnuplot on a script; its own messages are its own.
-bool run_gnuplot(const fs::path& script) {
-  std::string program = "gnuplot";
-  std::string argument = script.string();
-  char* const arguments[] = {program.data(), argument.data(), nullptr};
-  pid_t child = 0;
-  if (::posix_spawnp(&child, "gnuplot", nullptr, nullptr, arguments, ::environ) != 0) {
-    return false;
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
 
 struct Spot {
   double rate = 0;
@@ -154,17 +114,7 @@ const Requirement* goal_rate(const Space& space) {
 
 }  // namespace
 
-void check_plot(const fs::path& path) {
-  const std::string extension = path.extension().string();
-  if (extension != ".svg" && extension != ".png") {
-    throw InputError(fmt::format("--plot {}: a plot is an .svg or a .png file", path.string()));
-  }
-  if (!gnuplot_installed()) {
-    throw InputError(
-        "--plot: gnuplot is not installed; install it (Debian: apt-get install gnuplot-nox), or "
-        "leave --plot out");
-  }
-}
+void check_plot(const fs::path& path) { check_plot_path("--plot", path); }
 
 std::string plot_script(const Space& space, const Findings& findings, const fs::path& output) {
   std::vector<Spot> front = spots_of(findings, true);
@@ -183,19 +133,17 @@ std::string plot_script(const Space& space, const Findings& findings, const fs::
 
   std::string script;
   auto out = std::back_inserter(script);
-  script += output.extension() == ".png"
-                ? "set terminal pngcairo size 1000,640 font 'DejaVu Sans,12' background 'white'\n"
-                : "set terminal svg size 1000,640 font 'DejaVu Sans,14' background 'white'\n";
-  fmt::format_to(out, "set output {}\n", quoted(output.string()));
+  script += gnuplot_opening(output);
   script += datablock("others", others) + datablock("front", front);
   if (findings.best) {
     const Row& best = findings.rows[*findings.best];
     script +=
         datablock("best", {{*best.value("frames_per_second"), *best.value("power_watts"), ""}});
   }
-  fmt::format_to(out, "set label {} at graph 0, graph 1.045 left noenhanced\n",
-                 quoted(fmt::format("{}: {} points", fs::path(space.file).stem().string(),
-                                    std::ranges::count(findings.rows, State::done, &Row::state))));
+  fmt::format_to(
+      out, "set label {} at graph 0, graph 1.045 left noenhanced\n",
+      gnuplot_quoted(fmt::format("{}: {} points", fs::path(space.file).stem().string(),
+                                 std::ranges::count(findings.rows, State::done, &Row::state))));
   // Nothing is faster and thriftier than the front: the key has the right lower corner to itself.
   script +=
       "set xlabel 'frames a second'\nset ylabel 'watts'\nset tmargin 3\n"
@@ -210,8 +158,8 @@ std::string plot_script(const Space& space, const Findings& findings, const fs::
                    "2 lw 1.5\n"
                    "set label {2} at first {0}, graph 0.98 offset 0.6,0 tc rgb '{1}' noenhanced\n",
                    number_text(goal->limit), kGoalColour,
-                   quoted(fmt::format("goal: {} {} fps",
-                                      goal->at_least ? ">=" : "<=", number_text(goal->limit))));
+                   gnuplot_quoted(fmt::format(
+                       "goal: {} {} fps", goal->at_least ? ">=" : "<=", number_text(goal->limit))));
   }
   std::vector<std::string> plots;
   if (!others.empty()) {
@@ -242,17 +190,7 @@ std::string plot_script(const Space& space, const Findings& findings, const fs::
 }
 
 void write_plot(const Space& space, const Findings& findings, const fs::path& path) {
-  write_file_whole(path, [&](const fs::path& temporary) {
-    fs::path script = temporary;
-    script += ".gnuplot";
-    write_file_whole(script, plot_script(space, findings, temporary));
-    const bool drawn = run_gnuplot(script);
-    std::error_code ignored;
-    fs::remove(script, ignored);
-    if (!drawn || !fs::exists(temporary, ignored)) {
-      throw InputError(fmt::format("{}: gnuplot could not draw it", path.string()));
-    }
-  });
+  draw_plot([&](const fs::path& output) { return plot_script(space, findings, output); }, path);
 }
 
 }  // namespace finback::explorer

@@ -4,12 +4,12 @@
 // broken transform, a swapped sign or a shifted window cannot pass.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <string>
 
+#include "data_folder.hpp"
 #include <common/error.hpp>
 #include <stereo_reference/evaluation.hpp>
 #include <stereo_reference/middlebury.hpp>
@@ -18,11 +18,6 @@ namespace finback::stereo_reference {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path data_folder() {
-  const char* chosen = std::getenv("FINBACK_SHARED_DATA");
-  return chosen != nullptr ? fs::path(chosen) : fs::path(FINBACK_DEFAULT_DATA);
-}
 
 struct Bound {
   std::string scene;
@@ -36,9 +31,7 @@ class Middlebury : public testing::TestWithParam<Bound> {};
 TEST_P(Middlebury, BadPixelsStayWithinBounds) {
   const MiddleburyScene scene = find_middlebury_scene(GetParam().scene).value();
   const fs::path folder = data_folder() / "middlebury";
-  if (!fs::exists(folder / scene.path())) {
-    GTEST_SKIP() << folder << " is not there; set FINBACK_SHARED_DATA to a data folder";
-  }
+  FINBACK_NEEDS_DATA(folder / scene.path());
   const StereoSample sample = load_middlebury(folder, scene);
   const auto& [left, right, truth, right_truth] = sample;
   EXPECT_EQ(right_truth.empty(), scene.name == "tsukuba");

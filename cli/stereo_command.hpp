@@ -1,0 +1,19 @@
+// The subcommands of `finback stereo`, and what they share.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <cli/commands.hpp>
+#include <stereo_reference/experiment.hpp>
+
+namespace finback::cli {
+
+void add_stereo_experiments(CLI::App& stereo, Action& action);
+
+// Writes an experiment into `folder`, all of its files or none: NAME.md, its tables, its plots with
+// that extension (".svg"); "" as folder: nothing. Prints the page.
+void publish(const stereo_reference::Experiment& experiment, const std::string& name,
+             const std::string& folder, const std::string& extension);
+
+}  // namespace finback::cli
