@@ -29,7 +29,7 @@ struct Options {
 };
 
 fs::path middlebury_folder(const Options& options) {
-  const fs::path folder = fs::path(options.data) / "middlebury";
+  fs::path folder = fs::path(options.data) / "middlebury";
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
     throw InputError(fmt::format(

@@ -1,4 +1,6 @@
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 #include <common/error.hpp>
 #include <stereo_reference/projection.hpp>
@@ -120,14 +122,41 @@ Points2 distort(const Points2& points, const Distortion& distortion) {
   return result;
 }
 
+double fold_radius(const Distortion& distortion) {
+  // Of r (1 + k1 r^2 + k2 r^4 + k3 r^6), by r; `square` is r^2.
+  const auto slope = [&](double square) {
+    return 1 +
+           square * (3 * distortion[0] + square * (5 * distortion[1] + square * 7 * distortion[4]));
+  };
+  constexpr double kStep = 1.0 / 128;
+  constexpr double kFarthest = 16;
+  double low = 0;
+  while (low < kFarthest && slope(low + kStep) > 0) {
+    low += kStep;
+  }
+  if (low >= kFarthest) {
+    return std::numeric_limits<double>::infinity();
+  }
+  double high = low + kStep;
+  for (int halving = 0; halving < 50; ++halving) {
+    const double middle = (low + high) / 2;
+    (slope(middle) > 0 ? low : high) = middle;
+  }
+  return std::sqrt(low);
+}
+
 Points2 undistort(const Points2& points, const Distortion& distortion) {
   constexpr int kRounds = 20;
+  const double fold = fold_radius(distortion);
   Points2 result = points;
   for (Index n = 0; n < points.cols(); ++n) {
     Vector2d p = points.col(n);
     for (int round = 0; round < kRounds; ++round) {
       const LensAt lens = lens_at(p, distortion);
       p = (points.col(n) - lens.tangential) / lens.radial;
+      if (p.norm() > fold) {
+        p *= fold / p.norm();
+      }
     }
     result.col(n) = p;
   }

@@ -137,10 +137,17 @@ PixelMap pixel_map(const Intrinsics& camera, const Matrix3d& rotation, const Int
   if (!tangential) {
     distortion.segment<2>(2).setZero();
   }
+  const Points2 rays = plane;
   plane = distort(plane, distortion);
   plane.row(0) += camera.skew * plane.row(1);
   map.sources =
       (plane.array().colwise() * camera.focal.array()).matrix().colwise() + camera.principal;
+  const double fold = fold_radius(distortion);
+  for (Index n = 0; n < rays.cols(); ++n) {
+    if (rays.col(n).norm() > fold) {
+      map.sources.col(n).setConstant(-1);
+    }
+  }
   return map;
 }
 

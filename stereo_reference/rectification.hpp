@@ -42,7 +42,8 @@ struct RectifiedPair {
 // Throws InputError where n does not divide the size.
 [[nodiscard]] StereoCalibration subsampled(const StereoCalibration& calibration, int n);
 
-// For every rectified pixel, row by row, where it lies in the camera's picture.
+// For every rectified pixel, row by row, where it lies in the camera's picture; (-1, -1) where the
+// lens's polynomial is past its fold and tells of places that it does not see.
 struct PixelMap {
   int width = 0;
   int height = 0;

@@ -1,7 +1,7 @@
 // One scene of table 8 under many readings: each map is made and judged once.
 #include <cmath>
-#include <compare>
 #include <map>
+#include <tuple>
 
 #include <stereo_reference/evaluation.hpp>
 #include <stereo_reference/fast_matching.hpp>
@@ -33,7 +33,11 @@ struct MapKey {
   int consistency = -1;             // -1: not checked
   double disparity_threshold = -1;  // -1: not post-processed
   bool either = false;
-  auto operator<=>(const MapKey&) const = default;
+
+  friend bool operator<(const MapKey& a, const MapKey& b) {
+    return std::tie(a.window, a.whole_range, a.consistency, a.disparity_threshold, a.either) <
+           std::tie(b.window, b.whole_range, b.consistency, b.disparity_threshold, b.either);
+  }
 };
 
 struct Tally {
@@ -229,6 +233,7 @@ std::vector<SceneFigures> measure_scene(const StereoSample& sample, float scale,
                                         const std::vector<Reading>& readings) {
   Scene scene(sample, scale);
   std::vector<SceneFigures> figures;
+  figures.reserve(readings.size());
   for (const Reading& reading : readings) {
     figures.push_back(scene.figures(reading));
   }

@@ -143,5 +143,26 @@ TEST(Projection, DepthZeroIsRefused) {
               testing::ThrowsMessage<InputError>(testing::HasSubstr("point 3 lies in the plane")));
 }
 
+// r - r^3 has its top at 1 / sqrt(3).
+TEST(Fold, IsWhereTheLensTurnsBack) {
+  Eigen::Matrix<double, 5, 1> lens = Eigen::Matrix<double, 5, 1>::Zero();
+  EXPECT_EQ(fold_radius(lens), std::numeric_limits<double>::infinity());
+  lens[0] = -1;
+  EXPECT_NEAR(fold_radius(lens), 1 / std::sqrt(3.0), 1e-9);
+  lens << 0.12, -1.2, 0, 0, 0;
+  const double fold = fold_radius(lens);
+  Points2 rays(2, 3);
+  rays << fold - 1e-3, fold, fold + 1e-3, 0, 0, 0;
+  const Points2 seen = distort(rays, lens);
+  EXPECT_GT(seen(0, 1), seen(0, 0));
+  EXPECT_GT(seen(0, 1), seen(0, 2));
+  // What nobody sees comes back at the rim, in its direction.
+  Points2 beyond(2, 1);
+  beyond << -2, 2;
+  const Points2 back = undistort(beyond, lens);
+  EXPECT_NEAR(back.col(0).norm(), fold, 1e-9);
+  EXPECT_NEAR(back(0, 0), -back(1, 0), 1e-9);
+}
+
 }  // namespace
 }  // namespace finback::stereo_reference

@@ -197,5 +197,28 @@ TEST(Rectification, RefusesCalibrationsThatAreNone) {
   EXPECT_THROW((void)remap(ByteImage(3, 3), map), InputError);
 }
 
+// A lens whose polynomial folds inside the rectified picture: no place is shown twice.
+TEST(PixelMap, EndsAtTheFold) {
+  StereoCalibration c = rig();
+  c.right.distortion << 0.124, -1.238, 0.0083, -0.0008, 0;
+  const RectifiedPair pair = rectify(c);
+  const PixelMap map = pixel_map(c.right, pair.right_rotation, pair.right, c.width, c.height);
+  int unseen = 0;
+  for (int y = 0; y < c.height; ++y) {
+    double last = -1;
+    for (int x = 0; x < c.width; ++x) {
+      const double column = map.sources(0, Index{y} * c.width + x);
+      if (column == -1) {
+        ++unseen;
+        continue;
+      }
+      EXPECT_GT(column, last) << x << ", " << y;
+      last = column;
+    }
+  }
+  EXPECT_GT(unseen, 1000);
+  EXPECT_LT(unseen, c.width * c.height / 4);
+}
+
 }  // namespace
 }  // namespace finback::stereo_reference
