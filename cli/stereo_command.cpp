@@ -30,6 +30,11 @@ void add_stereo_command(CLI::App& app, Action& action) {
       "The camera's algorithms on this computer: on pictures, and the thesis's experiments");
   stereo->require_subcommand(1);
   stereo->footer("finback stereo COMMAND --help explains one. More: docs/finback-stereo.md");
+  add_stereo_match(*stereo, action);
+  add_stereo_check(*stereo, action);
+  add_stereo_postprocess(*stereo, action);
+  add_stereo_evaluate(*stereo, action);
+  add_stereo_perturb(*stereo, action);
   add_stereo_calibrate(*stereo, action);
   add_stereo_rectify(*stereo, action);
   add_stereo_tables(*stereo, action);

@@ -22,14 +22,18 @@ Region inner_region(int width, int height, int border) {
   return {border, border, width - border, height - border};
 }
 
-MapQuality evaluate(const ByteImage& map, const FloatImage& truth, const Region& region,
-                    double delta) {
+namespace {
+
+// `taken(x, y)`: is the pixel looked at?
+template <class Taken>
+MapQuality evaluate_where(const Taken& taken, const ByteImage& map, const FloatImage& truth,
+                          const Region& region, double delta) {
   if (map.width() != truth.width() || map.height() != truth.height()) {
     throw InputError(fmt::format(
         "evaluation: the map is {}x{}, the ground truth {}x{}; both must have the same size",
         map.width(), map.height(), truth.width(), truth.height()));
   }
-  if (delta < 0) {
+  if (!(delta >= 0)) {
     throw InputError(fmt::format("evaluation: delta {} must not be negative", delta));
   }
   if (region.left < 0 || region.top < 0 || region.right > map.width() ||
@@ -44,7 +48,7 @@ MapQuality evaluate(const ByteImage& map, const FloatImage& truth, const Region&
   for (int y = region.top; y < region.bottom; ++y) {
     for (int x = region.left; x < region.right; ++x) {
       const double true_disparity = truth.at(x, y);
-      if (true_disparity == 0) {
+      if (true_disparity == 0 || !taken(x, y)) {
         continue;
       }
       const int disparity = map.at(x, y);
@@ -64,6 +68,25 @@ MapQuality evaluate(const ByteImage& map, const FloatImage& truth, const Region&
   quality.rms_error = root_mean(sum, quality.compared);
   quality.rms_error_valid = root_mean(sum_valid, quality.compared - quality.invalid);
   return quality;
+}
+
+}  // namespace
+
+MapQuality evaluate(const ByteImage& map, const FloatImage& truth, const Region& region,
+                    double delta) {
+  return evaluate_where([](int, int) { return true; }, map, truth, region, delta);
+}
+
+MapQuality evaluate(const ByteImage& map, const FloatImage& truth, const Region& region,
+                    const ByteImage& mask, double delta) {
+  if (mask.width() != map.width() || mask.height() != map.height()) {
+    throw InputError(
+        fmt::format("evaluation: the map is {}x{}, the mask {}x{}; both must have the "
+                    "same size",
+                    map.width(), map.height(), mask.width(), mask.height()));
+  }
+  return evaluate_where([&](int x, int y) { return mask.at(x, y) != 0; }, map, truth, region,
+                        delta);
 }
 
 }  // namespace finback::stereo_reference

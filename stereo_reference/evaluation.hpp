@@ -28,5 +28,8 @@ struct MapQuality {
 // region does not lie inside the map.
 [[nodiscard]] MapQuality evaluate(const ByteImage& map, const FloatImage& truth,
                                   const Region& region, double delta = 1.0);
+// The same over the pixels whose mask is not 0. Throws also when the mask has another size.
+[[nodiscard]] MapQuality evaluate(const ByteImage& map, const FloatImage& truth,
+                                  const Region& region, const ByteImage& mask, double delta);
 
 }  // namespace finback::stereo_reference

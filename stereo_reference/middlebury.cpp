@@ -4,6 +4,7 @@
 
 #include <common/error.hpp>
 #include <scenes/luma.hpp>
+#include <stereo_reference/map_file.hpp>
 #include <stereo_reference/middlebury.hpp>
 
 namespace finback::stereo_reference {
@@ -54,13 +55,6 @@ const std::vector<DataSet>& data_sets() {
 const DataSet* set_of(int year) {
   const auto found = std::ranges::find(data_sets(), year, &DataSet::year);
   return found == data_sets().end() ? nullptr : &*found;
-}
-
-scenes::FloatImage truth_of(const scenes::ByteImage& grey, float scale) {
-  scenes::FloatImage truth(grey.width(), grey.height());
-  std::ranges::transform(grey.pixels(), truth.data(),
-                         [scale](std::uint8_t value) { return static_cast<float>(value) / scale; });
-  return truth;
 }
 
 }  // namespace

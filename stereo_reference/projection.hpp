@@ -51,11 +51,12 @@ struct ProjectedPoints {
 
 // Distorts points of the plane at depth 1.
 [[nodiscard]] Points2 distort(const Points2& points, const Eigen::Matrix<double, 5, 1>& distortion);
-// How far from the centre, at depth 1, the radial part turns back on itself: rays beyond fall on pixels
-// that others have; infinite where it never does (up to a radius of 4).
+// How far from the centre, at depth 1, the radial part turns back on itself: rays beyond fall on
+// pixels that others have; infinite where it never does (up to a radius of 4).
 [[nodiscard]] double fold_radius(const Eigen::Matrix<double, 5, 1>& distortion);
-// The way back. Points that no ray within the fold radius reaches come out near it. Within 1e-6 of the true point for lenses whose distortion is modest: a tenth of the
-// radius at the picture's edge, say.
+// The way back. Points that no ray within the fold radius reaches come out near it. Within 1e-6 of
+// the true point for lenses whose distortion is modest: a tenth of the radius at the picture's
+// edge, say.
 [[nodiscard]] Points2 undistort(const Points2& points,
                                 const Eigen::Matrix<double, 5, 1>& distortion);
 
