@@ -32,7 +32,7 @@ struct Experiment {
 // The same rows as CSV. Cells hold neither commas nor quotes.
 [[nodiscard]] std::string csv_table(const std::vector<std::vector<std::string>>& rows);
 
-// How all plots look: grey axes, a faint grid, a key below.
+// How all plots look: grey axes, a faint grid, a key above.
 [[nodiscard]] std::string plot_style();
 
 // Colours that also differ for those who see no red or green.

@@ -87,6 +87,29 @@ ByteImage occluded_mask(const FloatImage& left, const FloatImage& right, double 
   });
 }
 
+ByteImage occluded_mask(const FloatImage& left, double threshold) {
+  const int width = left.width();
+  check(width, left.height(), 1, threshold, "occluded regions");
+  // The largest disparity that lands on each pixel of the right view.
+  FloatImage nearest(width, left.height());
+  const auto landing = [&](int x, int y) {
+    return static_cast<int>(std::lround(x - double{left.at(x, y)}));
+  };
+  for (int y = 0; y < left.height(); ++y) {
+    for (int x = 0; x < width; ++x) {
+      const int place = landing(x, y);
+      if (place >= 0 && place < width) {
+        nearest.at(place, y) = std::max(nearest.at(place, y), left.at(x, y));
+      }
+    }
+  }
+  return mask_of(width, left.height(), [&](int x, int y) {
+    const int place = landing(x, y);
+    return left.at(x, y) == 0 || place < 0 || place >= width ||
+           double{nearest.at(place, y)} - double{left.at(x, y)} > threshold;
+  });
+}
+
 ByteImage discontinuity_mask(const FloatImage& disparity, int window, double gap) {
   const int width = disparity.width();
   const int height = disparity.height();

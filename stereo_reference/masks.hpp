@@ -20,6 +20,10 @@ using scenes::FloatImage;
 [[nodiscard]] ByteImage occluded_mask(const FloatImage& left, const FloatImage& right,
                                       double threshold = 1.0);
 
+// The same from the left view's disparities alone: hidden is what lands, to the nearest pixel,
+// where another of its row with a disparity larger by more than `threshold` lands, too.
+[[nodiscard]] ByteImage occluded_mask(const FloatImage& left, double threshold = 1.0);
+
 // Pixels within a square window of side `window` of a step between two neighbours, with known
 // disparities, of more than `gap` pixels. Throws InputError for an even window, a gap that is not
 // positive or an empty map.

@@ -42,7 +42,7 @@ class Workers {
     std::unique_lock lock(mutex_);
     while (!ended_.wait_for(lock, kWatchTime, [this] { return busy_ == 0; })) {
       lock.unlock();
-      if (watch && watch(done_)) {
+      if (watch && watch(done_, failures_.size())) {
         stop_ = true;
       }
       lock.lock();

@@ -11,7 +11,7 @@
 namespace finback::stereo_reference {
 
 // Looks on from the calling thread, about ten times a second; true: give up what was not begun.
-using Watch = std::function<bool(std::size_t done)>;
+using Watch = std::function<bool(std::size_t done, std::size_t count)>;
 
 struct Parallel {
   unsigned jobs = 1;  // threads

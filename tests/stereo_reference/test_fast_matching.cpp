@@ -70,7 +70,7 @@ TEST(Parallel, TellsTheFirstFailure) {
 
 TEST(Parallel, StopsWhenToldTo) {
   std::atomic<bool> looked = false;
-  const auto watch = [&](std::size_t) {
+  const auto watch = [&](std::size_t, std::size_t) {
     looked = true;
     return true;
   };
