@@ -30,7 +30,7 @@ std::string csv_table(const std::vector<std::vector<std::string>>& rows) {
 
 std::string plot_style() {
   return "set border 3 lc rgb '#555555'\nset tics nomirror out textcolor rgb '#333333'\n"
-         "set grid lc rgb '#e3e8ec' lt 1\nset key tmargin center horizontal\n";
+         "set grid lc rgb '#e3e8ec' lt 1\nset key tmargin center horizontal samplen 2\n";
 }
 
 }  // namespace finback::stereo_reference

@@ -24,6 +24,7 @@ std::vector<Pair> pairs_of(const std::vector<MiddleburyScene>& plain) {
   const fs::path aloe = "radiometric/Aloe_thirdsize";
   const fs::path official = "2006/Aloe";
   std::vector<Pair> pairs;
+  pairs.reserve(plain.size() + 9);
   for (const MiddleburyScene& scene : plain) {
     pairs.push_back({scene.name, scene.path() + "/view1.png", scene.path() + "/view5.png",
                      scene.path(), false});
