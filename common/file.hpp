@@ -25,4 +25,7 @@ void write_file_whole(const std::filesystem::path& path,
 // in an installed one.
 [[nodiscard]] std::filesystem::path share_folder();
 
+// lib/finback beside share (modules loaded on demand); it need not be there.
+[[nodiscard]] std::filesystem::path library_folder();
+
 }  // namespace finback

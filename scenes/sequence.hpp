@@ -54,7 +54,7 @@ class FrameSequence {
 // load_luma_vga makes it. Throws InputError: no video, and where videos cannot be read at all.
 [[nodiscard]] std::unique_ptr<FrameSequence> video_sequence(
     const std::vector<std::filesystem::path>& paths);
-// Whether Finback was built with what reads videos.
+// Whether Finback has the module that reads videos.
 [[nodiscard]] bool reads_videos();
 
 // The synthetic scene whose boxes move: box b by its own whole number of VGA pixels a frame, to and

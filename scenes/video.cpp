@@ -1,77 +1,60 @@
-// Sequences from videos, by OpenCV's videoio where Finback was built with it.
+// Sequences from videos, by the module that reads them (video_file.hpp) where Finback has it.
+#include <algorithm>
+#include <array>
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <common/error.hpp>
+#include <common/file.hpp>
 #include <scenes/sequence.hpp>
-
-#ifdef FINBACK_VIDEO
-#include <algorithm>
-#include <array>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
-#include <vector>
-#endif
+#include <scenes/video_file.hpp>
 
 namespace finback::scenes {
 
 namespace fs = std::filesystem;
 
-#ifdef FINBACK_VIDEO
-
 namespace {
 
-ByteImage luma_of(const cv::Mat& picture) {
-  cv::Mat grey = picture;
-  if (picture.channels() == 3) {
-    cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
-  }
-  ByteImage image(grey.cols, grey.rows);
-  for (int y = 0; y < grey.rows; ++y) {
-    std::copy_n(grey.ptr<std::uint8_t>(y), grey.cols, &image.at(0, y));
-  }
-  return image;
+fs::path module_path() { return library_folder() / "video.so"; }
+
+// Loaded once, and never unloaded: what OpenCV's libraries leave to the end of the program stays
+// valid.
+OpenVideo& open_video() {
+  static OpenVideo* const open = [] {
+    void* module = dlopen(module_path().c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (module == nullptr) {
+      throw InputError(fmt::format("videos cannot be read: {}", dlerror()));
+    }
+    return reinterpret_cast<OpenVideo*>(dlsym(module, kOpenVideoName));
+  }();
+  return *open;
 }
 
 ByteImage to_vga(const ByteImage& image) {
   return resize(crop_to_4_by_3(image), kVgaWidth, kVgaHeight);
 }
 
-// One file, read forwards; going back begins it anew.
 class Video {
  public:
-  explicit Video(const fs::path& path) : path_(path) { open(); }
-
-  [[nodiscard]] std::uint32_t frames() const {
-    const double count = capture_.get(cv::CAP_PROP_FRAME_COUNT);
-    return count >= 1 ? static_cast<std::uint32_t>(count) : 0;
+  explicit Video(const fs::path& path) : path_(path), file_(open_video()(path.c_str())) {
+    if (!file_) {
+      throw InputError(fmt::format("{}: is no video that OpenCV can read", path.string()));
+    }
   }
+
+  [[nodiscard]] std::uint32_t frames() const { return file_->frames(); }
   ByteImage frame(std::uint32_t number) {
-    if (number < next_) {
-      open();
-    }
-    while (next_ < number && capture_.grab()) {
-      ++next_;
-    }
-    cv::Mat picture;
-    if (next_ != number || !capture_.read(picture) || picture.empty() || picture.depth() != CV_8U) {
+    ByteImage luma;
+    if (!file_->read(number, luma)) {
       throw InputError(fmt::format("{}: frame {} cannot be read", path_.string(), number));
     }
-    ++next_;
-    return luma_of(picture);
+    return luma;
   }
   [[nodiscard]] const fs::path& path() const { return path_; }
 
  private:
-  void open() {
-    if (!capture_.open(path_.string())) {
-      throw InputError(fmt::format("{}: is no video that OpenCV can read", path_.string()));
-    }
-    next_ = 0;
-  }
-
   fs::path path_;
-  cv::VideoCapture capture_;
-  std::uint32_t next_ = 0;
+  std::unique_ptr<VideoFile> file_;
 };
 
 class VideoSequence final : public FrameSequence {
@@ -113,23 +96,16 @@ class VideoSequence final : public FrameSequence {
 
 }  // namespace
 
-bool reads_videos() { return true; }
+bool reads_videos() { return fs::exists(module_path()); }
 
 std::unique_ptr<FrameSequence> video_sequence(const std::vector<fs::path>& paths) {
+  if (!reads_videos()) {
+    throw InputError(fmt::format(
+        "{}: this Finback was built without OpenCV's videoio and reads no videos; give a folder of "
+        "left_* and right_* pictures, or install libopencv-videoio-dev and build it again",
+        paths.front().string()));
+  }
   return std::make_unique<VideoSequence>(paths);
 }
-
-#else
-
-bool reads_videos() { return false; }
-
-std::unique_ptr<FrameSequence> video_sequence(const std::vector<fs::path>& paths) {
-  throw InputError(
-      fmt::format("{}: this Finback was built without OpenCV's videoio and reads no videos; give a "
-                  "folder of left_* and right_* pictures, or build it with -DFINBACK_VIDEO=ON",
-                  paths.front().string()));
-}
-
-#endif
 
 }  // namespace finback::scenes

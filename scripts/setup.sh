@@ -10,6 +10,7 @@ packages=(
   llvm-19-dev clang-19 zlib1g-dev libzstd-dev
   # libraries of the simulator and its tools
   libopencv-calib3d-dev libopencv-core-dev libopencv-imgcodecs-dev libopencv-imgproc-dev
+  libopencv-videoio-dev
   libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libeigen3-dev
   # finback explore: the table of finished points, and its plot
   libsqlite3-dev gnuplot-nox
