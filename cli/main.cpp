@@ -18,17 +18,28 @@ using namespace finback::cli;
 // What is wrong with the command line; a command that does not exist gets the nearest that does.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int argc,
                           char** argv) {
-  if (argc < 2 || argv[1][0] == '-' || !app.get_subcommands().empty()) {
-    return error.what();
+  // The innermost command that was understood, and the word behind it.
+  const CLI::App* innermost = &app;
+  std::string words;
+  int next = 1;
+  while (!innermost->get_subcommands().empty()) {
+    innermost = innermost->get_subcommands().front();
+    words += innermost->get_name() + " ";
+    ++next;
   }
   std::vector<std::string> known;
-  for (const CLI::App* command : app.get_subcommands(nullptr)) {
+  for (const CLI::App* command : innermost->get_subcommands(nullptr)) {
     known.push_back(command->get_name());
   }
-  const std::string near = finback::nearest_name(argv[1], known);
-  return fmt::format("there is no command '{}', {}", argv[1],
+  if (known.empty() || next >= argc || argv[next][0] == '-') {
+    return known.empty() || next == 1
+               ? error.what()
+               : fmt::format("{}wants one of {}", words, fmt::join(known, ", "));
+  }
+  const std::string near = finback::nearest_name(argv[next], known);
+  return fmt::format("there is no command '{}{}', {}", words, argv[next],
                      near.empty() ? fmt::format("but {}", fmt::join(known, ", "))
-                                  : fmt::format("did you mean '{}'?", near));
+                                  : fmt::format("did you mean '{}{}'?", words, near));
 }
 
 int parse_and_run(int argc, char** argv) {

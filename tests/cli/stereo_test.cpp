@@ -172,6 +172,19 @@ TEST_F(Stereo, MistakesAreOneLine) {
         "--data nowhere: there is no folder middlebury");
 }
 
+TEST_F(Stereo, CommandsWithASlipGetTheNearest) {
+  const auto said = [&](const std::string& command) {
+    const Finished finished = run_words(command);
+    EXPECT_EQ(finished.exit_code, 1) << command;
+    return finished.err;
+  };
+  EXPECT_THAT(said("mach"),
+              HasSubstr("there is no command 'stereo mach', did you mean 'stereo match'?"));
+  EXPECT_THAT(said("experiment figure9"), HasSubstr("did you mean 'stereo experiment figure"));
+  EXPECT_THAT(said("experiment"), HasSubstr("stereo experiment wants one of figure8, figure26"));
+  EXPECT_THAT(said("match"), HasSubstr("--left is required"));
+}
+
 TEST_F(Stereo, PhotographsWithoutABoardAreNamed) {
   write_pair();
   const Finished finished = run_words("calibrate --left left.png --right right.png --out c.toml");
