@@ -54,7 +54,7 @@ int calibrate(const Options& options) {
   fmt::print(
       "rectified     rows of a corner differ by {:.3f} pixels RMS, {:.3f} on average, {:.2f} "
       "at most\n",
-      rows.rms, rows.mean, rows.largest);
+      rows.rms, std::abs(rows.mean), rows.largest);
   return kFine;
 }
 

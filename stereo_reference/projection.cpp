@@ -1,3 +1,4 @@
+#include <Eigen/Dense>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -145,6 +146,34 @@ double fold_radius(const Distortion& distortion) {
   return std::sqrt(low);
 }
 
+namespace {
+
+Vector2d within(const Vector2d& p, double radius) {
+  return p.norm() > radius ? Vector2d(p * (radius / p.norm())) : p;
+}
+
+// Newton's steps, as long as they come nearer: the fixed point is slow where the lens bends much.
+Vector2d polished(Vector2d p, const Vector2d& seen, const Distortion& distortion, double fold) {
+  constexpr int kRounds = 10;
+  double error = (distorted(p, distortion) - seen).norm();
+  for (int round = 0; round < kRounds; ++round) {
+    const Matrix2d slope = by_point(p, distortion);
+    if (slope.determinant() == 0) {
+      break;
+    }
+    const Vector2d better = within(p - slope.inverse() * (distorted(p, distortion) - seen), fold);
+    const double left = (distorted(better, distortion) - seen).norm();
+    if (!(left < error)) {
+      break;
+    }
+    p = better;
+    error = left;
+  }
+  return p;
+}
+
+}  // namespace
+
 Points2 undistort(const Points2& points, const Distortion& distortion) {
   constexpr int kRounds = 20;
   const double fold = fold_radius(distortion);
@@ -153,12 +182,9 @@ Points2 undistort(const Points2& points, const Distortion& distortion) {
     Vector2d p = points.col(n);
     for (int round = 0; round < kRounds; ++round) {
       const LensAt lens = lens_at(p, distortion);
-      p = (points.col(n) - lens.tangential) / lens.radial;
-      if (p.norm() > fold) {
-        p *= fold / p.norm();
-      }
+      p = within((points.col(n) - lens.tangential) / lens.radial, fold);
     }
-    result.col(n) = p;
+    result.col(n) = polished(p, points.col(n), distortion, fold);
   }
   return result;
 }

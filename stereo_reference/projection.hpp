@@ -2,8 +2,9 @@
 //
 // Models: pinhole with focal lengths, principal point and skew; radial distortion to the sixth
 // power and tangential distortion (the "Oulu" model); all derivatives (Ahuja 2009, A.4-A.6, A.8).
-// The inverse of the distortion is a fixed point, 20 rounds as in A.8. Does not model: cameras that
-// see behind themselves, rolling shutters. Lengths are in whatever unit the points have.
+// The inverse of the distortion is a fixed point, 20 rounds as in A.8, and Newton's steps to its
+// last digits. Does not model: cameras that see behind themselves, rolling shutters. Lengths are in
+// whatever unit the points have.
 #pragma once
 
 #include <Eigen/Core>

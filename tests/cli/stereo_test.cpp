@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "../stereo_reference/data_folder.hpp"
+#include "page_examples.hpp"
 #include "program.hpp"
 #include <common/file.hpp>
 #include <scenes/luma.hpp>
@@ -203,6 +204,10 @@ TEST_F(Stereo, AnExperimentLeavesPageTableAndPlot) {
   fine("experiment figure8 --out new --format png");
   EXPECT_GT(scenes::load_luma(folder() / "new/figure8.png").width(), 1000);
   wrong("experiment figure8 --out new/figure8.png", "cannot be written as output folder");
+}
+
+TEST_F(Stereo, ManualPageTellsTheTruth) {
+  check_page_examples("finback-stereo.md", folder().string());
 }
 
 TEST_F(Stereo, ExperimentsLeaveTheSameFilesWhateverTheThreads) {

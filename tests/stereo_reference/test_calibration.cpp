@@ -1,5 +1,6 @@
 // Cameras from photographs: against a rig that is known, against the real sets; the file; the
 // tables.
+#include <Eigen/Dense>
 #include <cmath>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -87,6 +88,40 @@ TEST(Calibration, RefusesWhatCannotBe) {
   EXPECT_EQ(parse_board("9x6").corners(), 54);
 }
 
+// The largest difference of the rows in which both rectified cameras have a point, over a grid of
+// the left picture and three depths: how far from horizontal epipolar lines are. Pixels that no ray
+// of the lens reaches are left out.
+double largest_epipolar_error(const StereoCalibration& c) {
+  const RectifiedPair pair = rectify(c);
+  double largest = 0;
+  int points = 0;
+  for (int y = 0; y < c.height; y += 24) {
+    for (int x = 0; x < c.width; x += 32) {
+      const Points2 pixel = Eigen::Vector2d(x, y);
+      const Points2 ray = normalize_pixels(pixel, c.left);
+      for (const double depth : {10.0, 20.0, 60.0}) {
+        const Points3 point = depth * ray.colwise().homogeneous();
+        if ((project_points(point, {}, c.left).pixels - pixel).norm() > 1e-3) {
+          continue;
+        }
+        const Points2 seen = project_points(point, c.left_to_right, c.right).pixels;
+        const Points2 back = normalize_pixels(seen, c.right);
+        const Points3 moved = move_points(point, c.left_to_right).points;
+        if ((back - moved.colwise().hnormalized()).norm() > 1e-5) {
+          continue;
+        }
+        ++points;
+        const Points3 left = pair.left_rotation * ray.colwise().homogeneous();
+        const Points3 right = pair.right_rotation * back.colwise().homogeneous();
+        largest = std::max(largest, std::abs(project_points(left, {}, pair.left).pixels(1, 0) -
+                                             project_points(right, {}, pair.right).pixels(1, 0)));
+      }
+    }
+  }
+  EXPECT_GT(points, 1000);  // of 1200
+  return largest;
+}
+
 struct Set {
   const char* folder;
   const char* left;  // format of the number
@@ -116,6 +151,7 @@ TEST_P(CalibrationSet, IsMeasuredWell) {
   EXPECT_THAT(found.left_out, testing::IsEmpty());
   const CalibrationFit fit = calibrate(found.pairs, board, found.width, found.height);
   EXPECT_LT(fit.rms, set.most_rms);
+  EXPECT_LT(largest_epipolar_error(fit.calibration), 1e-6);
   // What is left of matching points' rows is what the detector errs by, not a shift or a turn.
   const RowErrors rows = row_errors(fit.calibration, found.pairs);
   EXPECT_LT(rows.rms, set.most_rows);
