@@ -13,6 +13,7 @@
 #include <cli/progress.hpp>
 #include <common/error.hpp>
 #include <common/file.hpp>
+#include <report/sections.hpp>
 #include <runner/run_program.hpp>
 
 namespace finback::cli {
@@ -58,6 +59,9 @@ void print_summary(const report::RunResult& result) {
       }
     }
   }
+  report::Page page;
+  report::write_clocks(page, result);
+  fmt::print(stderr, "{}", page.take());
 }
 
 int run(const Options& options) {

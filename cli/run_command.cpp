@@ -71,11 +71,11 @@ void remove_maps_from(const std::filesystem::path& folder, std::size_t frame) {
 }
 
 // Says what was found; true when that is nothing.
-bool print_races(const std::vector<machine::RaceReport>& races, double core_hertz) {
+bool print_races(const std::vector<machine::RaceReport>& races, const report::RunResult& result) {
   for (const machine::RaceReport& race : races) {
     fmt::print("\nRace on {}: {} byte{}, first at {:.6f} s, nothing orders these two\n  {}\n  {}\n",
-               race.object, race.bytes, race.bytes == 1 ? "" : "s",
-               static_cast<double>(race.at) / core_hertz, race.earlier, race.later);
+               race.object, race.bytes, race.bytes == 1 ? "" : "s", result.seconds(0, race.at),
+               race.earlier, race.later);
   }
   fmt::print("{}\n", races.empty()
                          ? "No races."
@@ -106,8 +106,7 @@ int run(const Options& options) {
   remove_maps_from(options.out, outcome.maps.size());
   fmt::print("{}", report::to_text(outcome.result));
   fmt::print("Written: {} maps and result.json in {}\n", outcome.maps.size(), options.out);
-  const bool ordered =
-      !options.request.check_races || print_races(outcome.races, outcome.result.core_hertz);
+  const bool ordered = !options.request.check_races || print_races(outcome.races, outcome.result);
   const bool passed = std::all_of(outcome.result.targets.begin(), outcome.result.targets.end(),
                                   [](const report::Target& target) { return target.passed(); });
   return (options.check && !passed) || !ordered ? kBudgetBroken : kFine;

@@ -27,10 +27,13 @@ std::optional<runner::RunOutcome> run_watched(const runner::RunInputs& inputs,
                                               std::size_t stale_lines) {
   ProgressBar bar(inputs.frames);
   runner::RunObserver observer;
+  const machine::Machine* running = nullptr;
+  observer.ready = [&running](machine::Machine& machine, const ir::Image&) { running = &machine; };
   observer.cancelled = [&](Cycles now, std::uint32_t frames_done) {
     bar.show(frames_done, [&] {
-      return fmt::format("{}/{} frames, {:.1f} ms simulated", frames_done, inputs.frames,
-                         static_cast<double>(now) / inputs.machine->clock.cclk_mhz / 1e3);
+      return fmt::format(
+          "{}/{} frames, {:.1f} ms simulated", frames_done, inputs.frames,
+          static_cast<double>(running->reference_time(now)) / inputs.machine->clock.cclk_mhz / 1e3);
     });
     return interrupted();
   };

@@ -182,18 +182,42 @@ void DmaController::write(std::uint32_t offset, int bytes, std::uint32_t value, 
 
 void DmaController::start(std::uint32_t lane, Cycles now) {
   MemorySide& side = *lanes_[lane].side;
-  if (which_ == Controller::imdma && cclk_mhz_ > kImdmaMaximumMhz) {
-    throw GuestFault(fmt::format(
-        "DMA: {}_CONFIG = {:#x}: IMDMA corrupts data above {} MHz CCLK (anomaly "
-        "05000182) and CCLK is {} MHz; use MDMA1 or MDMA2",
-        side.channel().name(), side.channel().read(kConfig, 2), kImdmaMaximumMhz, cclk_mhz_));
-  }
+  check_core_clock(lane);
   if (lane < kPeripheralLanes) {
     check_map(lane);
   }
   lanes_[lane].started_by = writer_ ? writer_() : "";
   side.start(now);
   active_ |= 1U << lane;
+}
+
+void DmaController::check_core_clock(std::uint32_t lane) const {
+  const DmaChannel& channel = lanes_[lane].side->channel();
+  if (which_ == Controller::imdma && cclk_mhz_ > kImdmaMaximumMhz) {
+    throw GuestFault(
+        fmt::format("DMA: {}_CONFIG = {:#x}: IMDMA corrupts data above {} MHz CCLK (anomaly "
+                    "05000182) and CCLK is {} MHz; use MDMA1 or MDMA2",
+                    channel.name(), channel.read(kConfig, 2), kImdmaMaximumMhz, cclk_mhz_));
+  }
+}
+
+void DmaController::change_clock(const clock::ClockChange& change) {
+  ratio_ = change.to;
+  cclk_mhz_ = change.core_mhz;
+  for (std::uint32_t lane = 0; lane < kLaneCount; ++lane) {
+    if (lanes_[lane].side != nullptr) {
+      lanes_[lane].side->change_clock(change);
+      if (lanes_[lane].side->channel().running()) {
+        check_core_clock(lane);
+      }
+    }
+  }
+  if (which_ != Controller::imdma) {
+    for (Cycles& until : busy_until_) {
+      until = change.system_time(until);
+    }
+  }
+  plan_next_event(change.at);
 }
 
 // No two running channels may serve the same peripheral.
@@ -296,7 +320,7 @@ bool DmaController::grant(const Choice& choice, memory::DmaPort port, Cycles now
         side.grant(now, traffic_.most_elements(choice.lane, port, opposed, contested));
     const std::uint32_t idle =
         traffic_.granted(choice.lane, port, choice.direction, elements, contested);
-    busy_until_[static_cast<std::size_t>(port)] = side.done_at() + idle * ratio_;
+    busy_until_[static_cast<std::size_t>(port)] = side.done_at() + ratio_.cycles(idle);
     waited_for_[static_cast<std::size_t>(port)] = idle > 0;  // else the burst's end is an event
   } catch (const DmaError& error) {
     fail(choice.lane, began(choice.lane, error), now);

@@ -62,6 +62,9 @@ class DmaController final : public Device {
   // makes no sense; the message tells who started it.
   void advance(Cycles now) override;
 
+  // From now on. Throws GuestFault for a stream of IMDMA that runs and would be too fast.
+  void change_clock(const clock::ClockChange& change);
+
   // Peripheral 0 to 11, as PERIPHERAL_MAP counts: of DMA1 0 is PPI0, 1 is PPI1; of DMA2 0 to 3 are
   // SPORT0 and SPORT1 receive and transmit, 4 is SPI, 5 and 6 are UART receive and transmit.
   [[nodiscard]] PeripheralPort& port(std::uint32_t peripheral) { return ports_[peripheral]; }
@@ -96,6 +99,7 @@ class DmaController final : public Device {
   [[nodiscard]] std::uint32_t lane_at(std::uint32_t offset) const;
   void note_access(std::uint32_t lane, memory::Direction direction) const;
   void start(std::uint32_t lane, Cycles now);
+  void check_core_clock(std::uint32_t lane) const;
   void check_map(std::uint32_t lane) const;
   void map_peripherals();
 
@@ -121,7 +125,7 @@ class DmaController final : public Device {
 
   Controller which_;
   double cclk_mhz_;
-  Cycles ratio_;
+  clock::ClockRatio ratio_;
   bool errors_fault_;
   memory::MemorySystem& memory_;
   Sources sources_;

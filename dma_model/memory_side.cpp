@@ -14,7 +14,7 @@ constexpr std::uint32_t kMostDescriptorWords = 9;
 }  // namespace
 
 MemorySide::MemorySide(DmaChannel channel, memory::Initiator initiator, bool internal,
-                       ByteFifo& fifo, const DmaParameters& parameters, Cycles ratio,
+                       ByteFifo& fifo, const DmaParameters& parameters, clock::ClockRatio ratio,
                        memory::MemorySystem& memory)
     : channel_(std::move(channel)),
       initiator_(initiator),
@@ -22,10 +22,10 @@ MemorySide::MemorySide(DmaChannel channel, memory::Initiator initiator, bool int
       fifo_(fifo),
       memory_(memory),
       burst_elements_(static_cast<std::uint32_t>(parameters.burst_elements)),
-      startup_(internal ? static_cast<Cycles>(parameters.imdma_startup_cycles)
-                        : static_cast<Cycles>(parameters.startup_sclk) * ratio),
-      descriptor_overhead_(
-          internal ? 0 : static_cast<Cycles>(parameters.descriptor_overhead_sclk) * ratio),
+      ratio_(internal ? clock::ClockRatio(1) : ratio),
+      startup_(static_cast<Cycles>(internal ? parameters.imdma_startup_cycles
+                                            : parameters.startup_sclk)),
+      descriptor_overhead_(internal ? 0 : static_cast<Cycles>(parameters.descriptor_overhead_sclk)),
       counts_must_match_(parameters.errors_fault != 0),
       buffer_(std::size_t{burst_elements_} * 4) {}
 
@@ -36,7 +36,7 @@ void MemorySide::start(Cycles now) {
   if (!channel_.wants_descriptor()) {
     begin_unit();
   }
-  ready_at_ = now + startup_;
+  ready_at_ = now + ratio_.cycles(startup_);
   if (peer_ != nullptr && peer_->channel_.running()) {
     peer_->ready_at_ = ready_at_;  // both sides begin together
   }
@@ -47,6 +47,14 @@ void MemorySide::abandon() {
   fifo_.clear();
   ready_at_ = done_at_ = asked_at_ = kNever;
   descriptor_external_.reset();
+}
+
+void MemorySide::change_clock(const clock::ClockChange& change) {
+  if (!internal_) {
+    ratio_ = change.to;
+    ready_at_ = change.system_time(ready_at_);
+    done_at_ = change.system_time(done_at_);
+  }
 }
 
 void MemorySide::act(Cycles now) {
@@ -135,7 +143,7 @@ void MemorySide::fetch_descriptor(Cycles now) {
   runs_.push_back(channel_.descriptor());
   check(runs_.front(), 2, kCurrentDescriptorPointer);
   check_descriptor_space(runs_.front().address);
-  done_at_ = burst(memory::Direction::read, 2, now) + descriptor_overhead_;
+  done_at_ = burst(memory::Direction::read, 2, now) + ratio_.cycles(descriptor_overhead_);
   ++counters_.descriptors;
 }
 

@@ -28,7 +28,8 @@ class MemorySide {
  public:
   // `internal`: of IMDMA, at the core clock.
   MemorySide(DmaChannel channel, memory::Initiator initiator, bool internal, ByteFifo& fifo,
-             const DmaParameters& parameters, Cycles ratio, memory::MemorySystem& memory);
+             const DmaParameters& parameters, clock::ClockRatio ratio,
+             memory::MemorySystem& memory);
 
   // The other channel of a stream, which is at the FIFO's other end.
   void set_peer(MemorySide* peer) { peer_ = peer; }
@@ -46,6 +47,9 @@ class MemorySide {
   [[nodiscard]] Cycles next_event_time() const { return std::min(ready_at_, done_at_); }
   // Does it. Throws DmaError.
   void act(Cycles now);
+
+  // What is under way goes on in the new clocks.
+  void change_clock(const clock::ClockChange& change);
 
   // --- the bus ---
   struct Want {
@@ -80,8 +84,9 @@ class MemorySide {
   MemorySide* peer_ = nullptr;
   memory::MemorySystem& memory_;
   std::uint32_t burst_elements_;
-  Cycles startup_;
-  Cycles descriptor_overhead_;
+  clock::ClockRatio ratio_;     // of IMDMA, which counts core cycles: 1
+  Cycles startup_;              // in SCLK
+  Cycles descriptor_overhead_;  // in SCLK
   bool counts_must_match_;
 
   Cycles ready_at_ = kNever;  // start-up under way

@@ -1,8 +1,8 @@
-// The two clocks of the chip and their ratio.
+// The two clocks of the chip at the start, and their ratio.
 //
 // Models: one VCO, CCLK = VCO / 1, SCLK = VCO / n with a whole n, so that a system clock is a whole
-// number of core cycles. Does not model: changing the ratio at run time, nor the phase between the
-// clocks: what takes n SCLK takes n x ratio core cycles from whenever it starts. Source:
+// number of core cycles; a program may change that (clock_model). Does not model: the phase between
+// the clocks: what takes n SCLK takes n x ratio core cycles from whenever it starts. Source:
 // hardware.md 0.1 (1): 600 / 120 MHz, ratio 5.
 #pragma once
 

@@ -6,14 +6,16 @@
 
 namespace finback::memory {
 
-L2Timing::L2Timing(const MemoryParameters& parameters, Cycles ratio, const Region* region)
+L2Timing::L2Timing(const MemoryParameters& parameters, clock::ClockRatio ratio,
+                   const Region* region)
     : read_cycles_(static_cast<Cycles>(parameters.l2_read_cycles)),
       beat_(static_cast<Cycles>(parameters.l2_burst_beat_cycles)),
       write_cycles_(static_cast<Cycles>(parameters.l2_write_cycles)),
       contention_cycles_(static_cast<Cycles>(parameters.l2_contention_cycles)),
       dma_collision_cycles_(static_cast<Cycles>(parameters.l2_dma_collision_cycles)),
-      dma_overhead_(static_cast<Cycles>(parameters.l2_dma_overhead_sclk) * ratio),
-      dma_word_(static_cast<Cycles>(parameters.l2_dma_word_sclk) * ratio) {
+      ratio_(ratio),
+      dma_overhead_(static_cast<Cycles>(parameters.l2_dma_overhead_sclk)),
+      dma_word_(static_cast<Cycles>(parameters.l2_dma_word_sclk)) {
   const auto bytes = static_cast<std::uint32_t>(parameters.l2_sub_bank_bytes);
   if (!std::has_single_bit(bytes)) {
     throw InputError(fmt::format("memory.l2.sub_bank_bytes = {} must be a power of two", bytes));
@@ -26,7 +28,7 @@ L2Timing::L2Timing(const MemoryParameters& parameters, Cycles ratio, const Regio
 }
 
 Cycles L2Timing::dma_words(Address low, Address high, std::uint32_t words, Cycles start) {
-  dma_free_at_ = start + words * dma_word_;
+  dma_free_at_ = start + ratio_.cycles(words * dma_word_);
   const std::uint32_t last = (high - base_) >> sub_bank_shift_;
   for (std::uint32_t bank = (low - base_) >> sub_bank_shift_; bank <= last; ++bank) {
     sub_bank_dma_until_[bank] = dma_free_at_;

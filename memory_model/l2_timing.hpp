@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <clock_model/clock_ratio.hpp>
 #include <common/units.hpp>
 #include <memory_model/line_fill.hpp>
 #include <memory_model/memory_map.hpp>
@@ -21,7 +22,7 @@ namespace finback::memory {
 class L2Timing {
  public:
   // `region`: where L2 lies; nullptr for a machine without one.
-  L2Timing(const MemoryParameters& parameters, Cycles ratio, const Region* region);
+  L2Timing(const MemoryParameters& parameters, clock::ClockRatio ratio, const Region* region);
 
   // Stall beyond the issue cycle `now`.
   Cycles core_read(int core, Address address, Cycles now) {
@@ -68,10 +69,14 @@ class L2Timing {
 
   // A DMA burst: when its first word can pass.
   [[nodiscard]] Cycles dma_start(Cycles now) const {
-    return std::max(now, dma_free_at_) + dma_overhead_;
+    return std::max(now, dma_free_at_) + ratio_.cycles(dma_overhead_);
   }
   // `words` words between the addresses `low` and `high`: returns when they have passed.
   Cycles dma_words(Address low, Address high, std::uint32_t words, Cycles start);
+  void change_clock(const clock::ClockChange& change) {
+    ratio_ = change.to;
+    dma_free_at_ = change.system_time(dma_free_at_);
+  }
 
  private:
   static constexpr int kNoCore = -1;
@@ -95,8 +100,9 @@ class L2Timing {
   Cycles write_cycles_;
   Cycles contention_cycles_;
   Cycles dma_collision_cycles_;
-  Cycles dma_overhead_;
-  Cycles dma_word_;
+  clock::ClockRatio ratio_;
+  Cycles dma_overhead_;  // in SCLK
+  Cycles dma_word_;      // in SCLK
   Address base_ = 0;
   int sub_bank_shift_;
   int port_core_ = 0;

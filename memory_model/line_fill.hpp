@@ -4,6 +4,7 @@
 // addresses, from the line's end on with its beginning. Source: hardware.md 2.3, 2.4.
 #pragma once
 
+#include <clock_model/clock_ratio.hpp>
 #include <common/units.hpp>
 
 namespace finback::memory {
@@ -14,16 +15,19 @@ inline constexpr Address kLineBytes = 32;
 
 struct LineFill {
   Cycles first = 0;  // when the first beat has arrived
-  Cycles beat = 0;   // from one beat to the next
+  Cycles beat = 0;   // from one beat to the next, in cycles of `clock`
   Cycles beat_bytes = kLineBytes;
+  clock::ClockRatio clock = 1;
 
-  [[nodiscard]] Cycles done() const { return first + (kLineBytes / beat_bytes - 1) * beat; }
+  [[nodiscard]] Cycles done() const {
+    return first + clock.cycles((kLineBytes / beat_bytes - 1) * beat);
+  }
   // When the beat with `address` has arrived, of a fill that began with that of `critical`.
   [[nodiscard]] Cycles arrival(Address critical, Address address) const {
     const Cycles beats = kLineBytes / beat_bytes;
     const Cycles distance =
         (address % kLineBytes / beat_bytes + beats - critical % kLineBytes / beat_bytes) % beats;
-    return first + distance * beat;
+    return first + clock.cycles(distance * beat);
   }
 };
 

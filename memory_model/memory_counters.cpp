@@ -23,6 +23,19 @@ Traffic total(const Span& span, std::size_t initiator, std::size_t direction) {
 
 }  // namespace
 
+std::uint64_t MemorySystem::external_transfers() const {
+  std::uint64_t transfers = 0;
+  for (int initiator = 0; initiator < kInitiatorCount; ++initiator) {
+    for (const Direction direction : {Direction::read, Direction::write}) {
+      const Traffic traffic =
+          level_traffic(Level::l3, static_cast<Initiator>(initiator), direction);
+      transfers += static_cast<Initiator>(initiator) == Initiator::host ? traffic.bytes / 4
+                                                                        : traffic.accesses;
+    }
+  }
+  return transfers;
+}
+
 Traffic MemorySystem::level_traffic(Level level, Initiator initiator, Direction direction) const {
   Traffic sum;
   for (const Span& span : spans_) {

@@ -85,7 +85,7 @@ Cycles MemorySystem::dma_start(const Span& span, Direction direction, Cycles now
     case Level::l1:
       break;
   }
-  return std::max(now, dma_free_at(span)) + l1_dma_overhead_;
+  return std::max(now, dma_free_at(span)) + ratio_.cycles(l1_dma_overhead_);
 }
 
 Cycles MemorySystem::dma_words(const Span& span, Direction direction, const DmaRun& run,
@@ -104,8 +104,8 @@ Cycles MemorySystem::dma_words(const Span& span, Direction direction, const DmaR
   }
   const auto core = static_cast<std::size_t>(span.core);
   Cycles& free_at = l1_dma_free_at_[core];
-  free_at = start + run.count * l1_dma_word_;
-  pass_through_l1(span, run, start, l1_dma_word_);
+  free_at = start + ratio_.cycles(run.count * l1_dma_word_);
+  pass_through_l1(span, run, start, ratio_.cycles(l1_dma_word_));
   return free_at;
 }
 

@@ -33,11 +33,12 @@ MemorySystem::MemorySystem(MemoryMap map, const MemoryParameters& parameters,
     : map_(std::move(map)),
       default_data_banks_(static_cast<int>(parameters.cache_data_banks)),
       default_code_cache_(parameters.cache_code != 0),
-      l1_dma_overhead_(static_cast<Cycles>(parameters.l1_dma_overhead_sclk) * clock.ratio()),
-      l1_dma_word_(static_cast<Cycles>(parameters.l1_dma_word_sclk) * clock.ratio()),
+      ratio_(clock.ratio()),
+      l1_dma_overhead_(static_cast<Cycles>(parameters.l1_dma_overhead_sclk)),
+      l1_dma_word_(static_cast<Cycles>(parameters.l1_dma_word_sclk)),
       imdma_overhead_(static_cast<Cycles>(parameters.imdma_overhead_cycles)),
       imdma_word_(static_cast<Cycles>(parameters.imdma_word_cycles)),
-      l2_(parameters, clock.ratio(), only_region(map_, Level::l2)),
+      l2_(parameters, ratio_, only_region(map_, Level::l2)),
       sdram_(parameters, clock, only_region(map_, Level::l3)) {
   for (WriteBuffer& buffer : write_buffers_) {
     buffer.set_entries(static_cast<std::size_t>(parameters.write_buffer_entries));
@@ -70,6 +71,15 @@ MemorySystem::MemorySystem(MemoryMap map, const MemoryParameters& parameters,
       l1_data_spans_[static_cast<std::size_t>(span.core)].push_back(&span);
     }
   }
+}
+
+void MemorySystem::change_clock(const clock::ClockChange& change) {
+  ratio_ = change.to;
+  for (Cycles& free_at : l1_dma_free_at_) {
+    free_at = change.system_time(free_at);
+  }
+  l2_.change_clock(change);
+  sdram_.change_clock(change);
 }
 
 void MemorySystem::add_region_spans(std::size_t index, const std::vector<ObjectPlace>& places) {

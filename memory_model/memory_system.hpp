@@ -208,6 +208,12 @@ class MemorySystem {
   // --- the external port's registers ---
   [[nodiscard]] SdramTiming& sdram() { return sdram_; }
 
+  // From now on. Posted writes and words in L1 that are on their way arrive as they would have.
+  void change_clock(const clock::ClockChange& change);
+  // Transfers of up to 32 bits on the external bus, so far: what the power model wants to know.
+  // Every access to SDRAM is one; the host's pictures come as words.
+  [[nodiscard]] std::uint64_t external_transfers() const;
+
   // --- DMA ---
   // Why DMA cannot touch all of `run`, "0x...: ..."; empty when it can. A run lies in one region.
   [[nodiscard]] std::string dma_fault(const DmaRun& run, std::uint32_t element_bytes) const;
@@ -349,8 +355,9 @@ class MemorySystem {
   std::array<std::vector<Span*>, kCoreCount> l1_data_spans_;
   std::array<L1Bursts, kCoreCount> l1_bursts_;
   std::array<std::uint32_t, kCoreCount> sub_bank_bytes_{};  // 0: nobody minds DMA
-  Cycles l1_dma_overhead_;
-  Cycles l1_dma_word_;
+  clock::ClockRatio ratio_;
+  Cycles l1_dma_overhead_;  // in SCLK
+  Cycles l1_dma_word_;      // in SCLK
   Cycles imdma_overhead_;
   Cycles imdma_word_;
   std::array<Cycles, kCoreCount> l1_dma_free_at_{};

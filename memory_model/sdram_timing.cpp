@@ -8,22 +8,20 @@
 namespace finback::memory {
 
 SdramTiming::SdramTiming(const MemoryParameters& parameters, const ClockParameters& clock,
-                         const Region* region) {
-  const Cycles ratio = clock.ratio();
-  const auto cycles = [ratio](std::int64_t sclk) { return static_cast<Cycles>(sclk) * ratio; };
-  ratio_ = ratio;
-  read_overhead_ = cycles(parameters.sdram_core_read_overhead_sclk);
-  read_hold_ = cycles(parameters.sdram_core_read_hold_sclk);
-  write_ = cycles(parameters.sdram_write_sclk);
-  beat_ = cycles(parameters.sdram_beat_sclk);
+                         const Region* region)
+    : ratio_(clock.ratio()) {
+  const auto sclk = [](std::int64_t number) { return static_cast<Cycles>(number); };
+  read_overhead_ = sclk(parameters.sdram_core_read_overhead_sclk);
+  read_hold_ = sclk(parameters.sdram_core_read_hold_sclk);
+  write_ = sclk(parameters.sdram_write_sclk);
+  beat_ = sclk(parameters.sdram_beat_sclk);
   bus_bytes_ = static_cast<std::uint32_t>(parameters.sdram_bus_bytes);
   if (bus_bytes_ == 3) {
     throw InputError("memory.sdram.bus_bytes = 3 must be 2 or 4");
   }
-  dma_overhead_ = cycles(parameters.sdram_dma_overhead_sclk);
-  turnaround_ = cycles(parameters.sdram_turnaround_sclk);
-  refresh_ = cycles(parameters.sdram_refresh_sclk);
-  const auto sclk = [](std::int64_t number) { return static_cast<Cycles>(number); };
+  dma_overhead_sclk_ = sclk(parameters.sdram_dma_overhead_sclk);
+  turnaround_sclk_ = sclk(parameters.sdram_turnaround_sclk);
+  refresh_sclk_ = sclk(parameters.sdram_refresh_sclk);
   set({.cl = sclk(parameters.sdram_cl_sclk),
        .trcd = sclk(parameters.sdram_trcd_sclk),
        .trp = sclk(parameters.sdram_trp_sclk),
@@ -33,7 +31,7 @@ SdramTiming::SdramTiming(const MemoryParameters& parameters, const ClockParamete
   // Finer than in whole SCLK, until software sets it.
   const double nanoseconds = static_cast<double>(parameters.sdram_refresh_period_ns);
   refresh_period_ = static_cast<Cycles>(nanoseconds * clock.cclk_mhz / 1000.0);
-  settings_.refresh_period = refresh_period_ / ratio;
+  settings_.refresh_period = ratio_.passed(refresh_period_);
   next_refresh_ = refresh_ > 0 ? refresh_period_ : kNever;
 
   const auto page_bytes = static_cast<std::uint32_t>(parameters.sdram_page_bytes);
@@ -56,16 +54,35 @@ SdramTiming::SdramTiming(const MemoryParameters& parameters, const ClockParamete
 
 void SdramTiming::set(const SdramSettings& settings) {
   settings_ = settings;
-  cl_ = settings.cl * ratio_;
-  trcd_ = settings.trcd * ratio_;
-  trp_ = settings.trp * ratio_;
-  tras_ = settings.tras * ratio_;
-  twr_ = settings.twr * ratio_;
-  // A read takes its issue cycle at least.
-  core_read_ = std::max<Cycles>(read_overhead_ + cl_, 1);
-  core_read_hold_ = std::min(read_hold_, core_read_);
+  derive();
   if (settings.refresh_period > 0) {
-    refresh_period_ = settings.refresh_period * ratio_;
+    refresh_period_ = ratio_.cycles(settings.refresh_period);
+  }
+}
+
+// From SCLK.
+void SdramTiming::derive() {
+  cl_ = ratio_.cycles(settings_.cl);
+  trcd_ = ratio_.cycles(settings_.trcd);
+  trp_ = ratio_.cycles(settings_.trp);
+  tras_ = ratio_.cycles(settings_.tras);
+  twr_ = ratio_.cycles(settings_.twr);
+  dma_overhead_ = ratio_.cycles(dma_overhead_sclk_);
+  turnaround_ = ratio_.cycles(turnaround_sclk_);
+  refresh_ = ratio_.cycles(refresh_sclk_);
+  // A read takes its issue cycle at least.
+  core_read_ = std::max<Cycles>(ratio_.cycles(read_overhead_ + settings_.cl), 1);
+  core_read_hold_ = std::min(ratio_.cycles(read_hold_), core_read_);
+}
+
+void SdramTiming::change_clock(const clock::ClockChange& change) {
+  ratio_ = change.to;
+  derive();
+  free_at_ = change.system_time(free_at_);
+  bus_from_ = change.system_time(bus_from_);
+  next_refresh_ = change.system_time(next_refresh_);
+  if (change.from != change.to) {
+    refresh_period_ = std::max<Cycles>(1, ratio_.cycles(change.from.left(refresh_period_)));
   }
 }
 
@@ -95,7 +112,7 @@ Cycles SdramTiming::dma_words(bool write, Address address, std::int32_t stride, 
     const std::uint64_t page_base = base_ + page;
     const std::uint32_t here =
         elements_within(address, stride, count, page_base, page_base + (1ULL << page_shift_));
-    now = open(address, now, write ? twr_ : 0) + here * beats(bytes) * beat_;
+    now = open(address, now, write ? twr_ : 0) + ratio_.cycles(here * beats(bytes) * beat_);
     count -= here;
     address += here * static_cast<std::uint32_t>(stride);
   }

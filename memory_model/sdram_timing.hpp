@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <clock_model/clock_ratio.hpp>
 #include <common/units.hpp>
 #include <memory_model/clock_parameters.hpp>
 #include <memory_model/line_fill.hpp>
@@ -46,17 +47,17 @@ class SdramTiming {
   // A line into a core's cache, the word that is waited for first.
   LineFill line_fill(Address address, Cycles now) {
     const Cycles start = open_for_read(address, acquire(now));
-    release(start, core_read_hold_ + (beats(kLineBytes) - 1) * beat_);
-    return {.first = start + core_read_, .beat = beat_, .beat_bytes = bus_bytes_};
+    release(start, core_read_hold_ + ratio_.cycles((beats(kLineBytes) - 1) * beat_));
+    return {.first = start + core_read_, .beat = beat_, .beat_bytes = bus_bytes_, .clock = ratio_};
   }
   // Arrival of a line out of a cache, which may start at `start`.
   Cycles line_write(Address address, Cycles start) {
-    release(open_for_write(address, acquire(start)), beats(kLineBytes) * write_);
+    release(open_for_write(address, acquire(start)), ratio_.cycles(beats(kLineBytes) * write_));
     return free_at_;
   }
   // Arrival of a write of up to 32 bits that may start at `start`.
   Cycles posted_write(Address address, std::uint32_t bytes, Cycles start) {
-    release(open_for_write(address, acquire(start)), beats(bytes) * write_);
+    release(open_for_write(address, acquire(start)), ratio_.cycles(beats(bytes) * write_));
     return free_at_;
   }
   // A read and a completed write with the bus kept: time until the write has arrived.
@@ -67,7 +68,7 @@ class SdramTiming {
   // Instructions: stall beyond the issue cycle.
   Cycles fetch(Address address, std::uint32_t bytes, Cycles now) {
     const Cycles start = open_for_read(address, acquire(now));
-    const Cycles further = (beats(bytes) - 1) * beat_;
+    const Cycles further = ratio_.cycles((beats(bytes) - 1) * beat_);
     release(start, core_read_hold_ + further);
     return start + core_read_ + further - now - 1;
   }
@@ -83,6 +84,8 @@ class SdramTiming {
   [[nodiscard]] const SdramSettings& settings() const { return settings_; }
   // From now on; rows stay open.
   void set(const SdramSettings& settings);
+  // Access under way goes on in the new clocks.
+  void change_clock(const clock::ClockChange& change);
   [[nodiscard]] std::uint32_t page_bytes() const {
     return 1U << static_cast<unsigned>(page_shift_);
   }
@@ -137,17 +140,21 @@ class SdramTiming {
     return closed + trcd_;
   }
   Cycles refresh(Cycles start);
+  void derive();
 
   SdramSettings settings_;
-  Cycles ratio_;
-  Cycles read_overhead_;  // of cores, besides CL
-  Cycles read_hold_;
+  clock::ClockRatio ratio_;
+  Cycles read_overhead_;  // of cores, besides CL; in SCLK
+  Cycles read_hold_;      // in SCLK
   Cycles cl_, trcd_, trp_, tras_, twr_;
   Cycles core_read_;  // overhead + CL
   Cycles core_read_hold_;
-  Cycles write_;
+  Cycles write_;  // in SCLK
   std::uint32_t bus_bytes_;
-  Cycles beat_;
+  Cycles beat_;  // in SCLK
+  Cycles dma_overhead_sclk_;
+  Cycles turnaround_sclk_;
+  Cycles refresh_sclk_;
   Cycles dma_overhead_;
   Cycles turnaround_;
   Cycles refresh_period_;

@@ -37,7 +37,7 @@ const DeviceRegister* Flags::find_register(std::uint32_t offset) const {
 void Flags::drive(std::vector<PinChange> changes) {
   changes_ = std::move(changes);
   next_change_ = 0;
-  next_event_ = changes_.empty() ? kNever : changes_.front().at;
+  plan_next_event();
 }
 
 std::uint32_t Flags::data() const {
@@ -84,15 +84,21 @@ void Flags::write_group(std::uint32_t group, std::uint32_t action, std::uint32_t
 }
 
 void Flags::advance(Cycles now) {
-  while (next_change_ < changes_.size() && changes_[next_change_].at <= now) {
+  while (next_event_ <= now) {
+    const Cycles at = next_event_;
     const PinChange& change = changes_[next_change_++];
     const std::uint32_t bit = 1U << (change.pin % kFlagsOfAPort);
     const std::uint32_t before = inputs_;
     inputs_ = change.level ? inputs_ | bit : inputs_ & ~bit;
     note_edges(before, inputs_);
-    update(change.at);
+    plan_next_event();
+    update(at);
   }
-  next_event_ = next_change_ < changes_.size() ? changes_[next_change_].at : kNever;
+}
+
+void Flags::plan_next_event() {
+  next_event_ =
+      next_change_ < changes_.size() ? time_.from_reference(changes_[next_change_].at) : kNever;
 }
 
 // An edge counts where POLAR wants it (0: rising), or both do.

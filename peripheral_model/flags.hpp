@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include <clock_model/real_time.hpp>
 #include <common/device.hpp>
 
 namespace finback::peripheral {
@@ -40,13 +41,17 @@ class Flags final : public Device {
   // `port` 0 to 2.
   Flags(int port, Outputs outputs);
 
-  // Inputs of this port, in the order of time; before the run.
+  // Inputs of this port, in the order of time, which is in reference cycles; before the run.
   void drive(std::vector<PinChange> changes);
 
   [[nodiscard]] const DeviceRegister* find_register(std::uint32_t offset) const override;
   [[nodiscard]] std::uint32_t read(std::uint32_t offset, int bytes, Cycles now) override;
   void write(std::uint32_t offset, int bytes, std::uint32_t value, Cycles now) override;
   void advance(Cycles now) override;
+  void change_clock(const clock::ClockChange& change) {
+    time_.change(change);
+    plan_next_event();
+  }
 
  private:
   // Data and masks: each with clear, set and toggle beside it.
@@ -57,6 +62,7 @@ class Flags final : public Device {
   [[nodiscard]] std::uint32_t data() const;
   void note_edges(std::uint32_t before, std::uint32_t after);
   void update(Cycles now);
+  void plan_next_event();
 
   int port_;
   Outputs outputs_;
@@ -65,6 +71,7 @@ class Flags final : public Device {
   std::uint32_t inputs_ = 0;               // levels that are driven from outside
   std::uint32_t driven_ = 0;               // levels of outputs, 0 for inputs
   std::array<bool, 2> lines_{};
+  clock::RealTime time_;
   std::vector<PinChange> changes_;
   std::size_t next_change_ = 0;
 };

@@ -30,10 +30,10 @@ constexpr std::uint32_t kRunShift = 12;
 }  // namespace
 
 GeneralTimers::GeneralTimers(int first, int count, const PeripheralParameters& parameters,
-                             Cycles ratio, InterruptLine line)
+                             clock::ClockRatio ratio, InterruptLine line)
     : first_(first),
       ratio_(ratio),
-      start_delay_(static_cast<Cycles>(parameters.timer_start) * ratio),
+      start_delay_(static_cast<Cycles>(parameters.timer_start)),
       line_(std::move(line)),
       timers_(static_cast<std::size_t>(count)) {}
 
@@ -182,15 +182,14 @@ void GeneralTimers::start(std::size_t number, Cycles now) {
   check(number);
   timers_[number].enabled = true;
   timers_[number].running = true;
-  begin_period(number, now + start_delay_);
+  begin_period(number, now + ratio_.cycles(start_delay_));
 }
 
 void GeneralTimers::begin_period(std::size_t number, Cycles at) {
   check(number);
   Timer& timer = timers_[number];
   timer.length = (timer.config & kContinuous) != 0 ? timer.period : timer.width;
-  timer.begun = at;
-  timer.ends = at + timer.length * ratio_;
+  timer.ends = at + ratio_.cycles(timer.length);
 }
 
 void GeneralTimers::end_period(std::size_t number, Cycles at) {
@@ -219,8 +218,8 @@ std::uint32_t GeneralTimers::counter(const Timer& timer, Cycles now) const {
   if (!timer.running) {
     return timer.counter;
   }
-  const Cycles counted = now < timer.begun ? 0 : (now - timer.begun) / ratio_;
-  return static_cast<std::uint32_t>(std::min<Cycles>(counted + 1, timer.length));
+  const Cycles left = std::min<Cycles>(ratio_.left(timer.ends - now), timer.length);
+  return static_cast<std::uint32_t>(std::min<Cycles>(timer.length - left + 1, timer.length));
 }
 
 void GeneralTimers::set_interrupt(std::size_t number, bool level, Cycles now) {
@@ -236,6 +235,14 @@ void GeneralTimers::advance(Cycles now) {
     end_period(static_cast<std::size_t>(due - timers_.begin()), next_event_);
     plan_next_event();
   }
+}
+
+void GeneralTimers::change_clock(const clock::ClockChange& change) {
+  ratio_ = change.to;
+  for (Timer& timer : timers_) {
+    timer.ends = change.system_time(timer.ends);
+  }
+  plan_next_event();
 }
 
 void GeneralTimers::plan_next_event() {

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include <clock_model/clock_ratio.hpp>
 #include <common/device.hpp>
 #include <peripheral_model/peripheral_parameters.hpp>
 
@@ -25,8 +26,8 @@ class GeneralTimers final : public Device {
   using InterruptLine = std::function<void(int timer, bool level, Cycles at)>;
 
   // `count` timers (8 or 4), the first of them TIMER`first`. `ratio`: CCLK cycles of an SCLK.
-  GeneralTimers(int first, int count, const PeripheralParameters& parameters, Cycles ratio,
-                InterruptLine line);
+  GeneralTimers(int first, int count, const PeripheralParameters& parameters,
+                clock::ClockRatio ratio, InterruptLine line);
 
   // Offsets of a block with so many timers.
   [[nodiscard]] static std::uint32_t register_bytes(int count) {
@@ -39,6 +40,7 @@ class GeneralTimers final : public Device {
   [[nodiscard]] std::uint32_t read(std::uint32_t offset, int bytes, Cycles now) override;
   void write(std::uint32_t offset, int bytes, std::uint32_t value, Cycles now) override;
   void advance(Cycles now) override;
+  void change_clock(const clock::ClockChange& change);
 
  private:
   static constexpr std::uint32_t kTimerBytes = 0x10;
@@ -52,7 +54,6 @@ class GeneralTimers final : public Device {
     bool running = false;      // TRUN
     bool interrupt = false;    // TIMIL
     std::uint32_t length = 0;  // SCLKs of the present period, or of the pulse
-    Cycles begun = 0;          // when it began
     Cycles ends = kNever;
   };
 
@@ -74,8 +75,8 @@ class GeneralTimers final : public Device {
                           const std::string& why) const;
 
   int first_;
-  Cycles ratio_;
-  Cycles start_delay_;
+  clock::ClockRatio ratio_;
+  Cycles start_delay_;  // in SCLK
   InterruptLine line_;
   std::vector<Timer> timers_;
 };

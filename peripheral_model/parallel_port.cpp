@@ -40,7 +40,8 @@ ParallelPort::ParallelPort(std::string name, Camera& camera, const PeripheralPar
     : name_(std::move(name)),
       camera_(camera),
       outputs_(std::move(outputs)),
-      clock_limit_mhz_(parameters.ppi_clock_share * sclk_mhz),
+      clock_share_(parameters.ppi_clock_share),
+      clock_limit_mhz_(clock_share_ * sclk_mhz),
       burst_bytes_(static_cast<std::uint32_t>(parameters.ppi_burst_bytes) & ~3U) {}
 
 const DeviceRegister* ParallelPort::find_register(std::uint32_t offset) const {
@@ -164,24 +165,31 @@ void ParallelPort::start(Cycles now) {
   plan_frame(now);
 }
 
-void ParallelPort::stop() {
-  next_ = Next::nothing;
-  next_event_ = kNever;
+void ParallelPort::stop() { plan(Next::nothing, kNever); }
+
+void ParallelPort::plan(Next next, Cycles reference) {
+  next_ = next;
+  next_reference_ = reference;
+  next_event_ = time_.from_reference(reference);
+}
+
+void ParallelPort::change_clock(const clock::ClockChange& change) {
+  clock_limit_mhz_ = clock_share_ * change.system_mhz;
+  time_.change(change);
+  next_event_ = time_.from_reference(next_reference_);
 }
 
 void ParallelPort::plan_frame(Cycles from) {
-  camera_frame_ = camera_.next_frame(from);
-  next_ = Next::frame;
-  next_event_ = camera_frame_.start;
+  camera_frame_ = camera_.next_frame(time_.to_reference(from));
+  plan(Next::frame, camera_frame_.start);
 }
 
 void ParallelPort::plan_burst() {
   const std::uint32_t bytes_a_clock = word_bytes() == 1 || (control_ & kPack) != 0 ? 1 : 2;
   const std::uint32_t skipping = (control_ & kSkip) != 0 ? 2 : 1;
   taking_ = std::min(burst_bytes_ / bytes_a_clock * skipping, clocks_ - clock_);
-  next_ = Next::burst;
-  next_event_ =
-      camera_.time_of(camera_frame_, first_line_ + line_, first_clock_ + clock_ + taking_ - 1);
+  plan(Next::burst,
+       camera_.time_of(camera_frame_, first_line_ + line_, first_clock_ + clock_ + taking_ - 1));
 }
 
 void ParallelPort::advance(Cycles now) {
@@ -238,8 +246,8 @@ void ParallelPort::end_frame(Cycles now) {
   if (extra_line_) {
     // Seen when the line that is too much begins; in ITU-656 it is among the frame's last.
     const std::uint32_t line = transfer_type(control_) == kSyncs ? first_line_ + lines_ : 0;
-    next_ = Next::extra_line;
-    next_event_ = std::max(now, camera_.time_of(camera_frame_, line, 0));
+    plan(Next::extra_line,
+         std::max(time_.to_reference(now), camera_.time_of(camera_frame_, line, 0)));
   } else {
     plan_frame(now);
   }
@@ -277,7 +285,8 @@ void ParallelPort::hand_over(Cycles now) {
                       word * 8, element * 8));
   }
   const std::size_t whole = words_.size() / word * word;
-  if (outputs_.push({words_.data(), whole}, now)) {
+  const bool in_time = camera_.pixel_clock_mhz() <= clock_limit_mhz_;
+  if (in_time && outputs_.push({words_.data(), whole}, now)) {
     bytes_ += whole;
   } else {
     lost_bytes_ += whole;

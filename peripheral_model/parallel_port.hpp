@@ -4,9 +4,10 @@
 // VSYNC) and of ITU-656 (XFR_TYPE 0 the pixels, 1 all), COUNT, DELAY, FRAME, packing, skipping,
 // sample widths, frame track errors, overrun, the error interrupt. Elements of a line count from 0:
 // SKIP_EO = 0 drops the odd ones, the chroma. Lines beyond FRAME are not read; capture begins with
-// a whole frame. An event is a burst of bytes, at the time of its last one. Does not model: output,
-// syncs that the port makes, vertical blanking alone, FS3, polarities. Source: hardware.md 3.3; PPI
-// chapter of the ADSP-BF533 Hardware Reference as remembered (M).
+// a whole frame. While SCLK is too slow for the camera's clock, what
+// comes is lost, as in an overrun. An event is a burst of bytes, at the time of its last one. Does
+// not model: output, syncs that the port makes, vertical blanking alone, FS3, polarities. Source:
+// hardware.md 3.3; PPI chapter of the ADSP-BF533 Hardware Reference as remembered (M).
 #pragma once
 
 #include <cstdint>
@@ -15,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include <clock_model/real_time.hpp>
 #include <common/counters.hpp>
 #include <common/device.hpp>
 #include <peripheral_model/camera.hpp>
@@ -44,6 +46,8 @@ class ParallelPort final : public Device {
   [[nodiscard]] std::uint32_t read(std::uint32_t offset, int bytes, Cycles now) override;
   void write(std::uint32_t offset, int bytes, std::uint32_t value, Cycles now) override;
   void advance(Cycles now) override;
+  // The camera's clock is its own: it goes on in real time.
+  void change_clock(const clock::ClockChange& change);
 
   // NAME.frames.events, .captured.bytes, .lost.bytes, .frame_errors.events, in lower case.
   void register_counters(CounterRegistry& registry) const;
@@ -53,6 +57,7 @@ class ParallelPort final : public Device {
 
   void start(Cycles now);
   void stop();
+  void plan(Next next, Cycles reference);
   void check_settings(std::uint32_t value) const;
   void plan_frame(Cycles from);
   void plan_burst();
@@ -70,6 +75,7 @@ class ParallelPort final : public Device {
   std::string name_;
   Camera& camera_;
   Outputs outputs_;
+  double clock_share_;
   double clock_limit_mhz_;
   std::uint32_t burst_bytes_;
 
@@ -88,7 +94,9 @@ class ParallelPort final : public Device {
   bool extra_line_ = false;   // the camera sends more lines than FRAME
   bool short_frame_ = false;  // ... or fewer
 
+  clock::RealTime time_;
   Next next_ = Next::nothing;
+  Cycles next_reference_ = kNever;  // when, in reference cycles, as the camera counts
   Camera::Frame camera_frame_;
   std::uint32_t line_ = 0;
   std::uint32_t clock_ = 0;   // the next to be taken, of clocks_

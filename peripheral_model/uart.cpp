@@ -32,9 +32,9 @@ constexpr std::uint32_t kClocksOfABit = 16;
 
 }  // namespace
 
-Uart::Uart(const PeripheralParameters& parameters, Cycles ratio, InterruptLine line)
+Uart::Uart(const PeripheralParameters& parameters, clock::ClockRatio ratio, InterruptLine line)
     : ratio_(ratio),
-      input_gap_(static_cast<Cycles>(parameters.uart_input_gap) * ratio),
+      input_gap_(static_cast<Cycles>(parameters.uart_input_gap)),
       line_(std::move(line)) {}
 
 const DeviceRegister* Uart::find_register(std::uint32_t offset) const {
@@ -62,7 +62,7 @@ Cycles Uart::character_cycles() const {
     half_bits += data_bits() == 5 ? 1 : 2;
   }
   const std::uint32_t divisor = divisor_ == 0 ? 65536 : divisor_;
-  return Cycles{half_bits} * (kClocksOfABit / 2) * divisor * ratio_;
+  return ratio_.cycles(Cycles{half_bits} * (kClocksOfABit / 2) * divisor);
 }
 
 std::uint32_t Uart::line_status() const {
@@ -185,7 +185,7 @@ void Uart::write_control(std::uint32_t value, Cycles now) {
     holding_full_ = false;
     transmit_asks_ = true;
   } else if (begins && input_next_ < input_.size()) {
-    receives_at_ = now + character_cycles() + input_gap_;
+    receives_at_ = now + character_cycles() + ratio_.cycles(input_gap_);
   }
 }
 
@@ -224,10 +224,19 @@ void Uart::advance(Cycles now) {
       if (!loops()) {
         receive(input_[input_next_++]);
       }
-      receives_at_ = input_next_ < input_.size() ? at + character_cycles() + input_gap_ : kNever;
+      receives_at_ = input_next_ < input_.size()
+                         ? at + character_cycles() + ratio_.cycles(input_gap_)
+                         : kNever;
     }
     update(at);
   }
+}
+
+void Uart::change_clock(const clock::ClockChange& change) {
+  ratio_ = change.to;
+  sent_at_ = change.system_time(sent_at_);
+  receives_at_ = change.system_time(receives_at_);
+  next_event_ = std::min(sent_at_, receives_at_);
 }
 
 void Uart::update(Cycles now) {

@@ -12,6 +12,7 @@
 #include <functional>
 #include <vector>
 
+#include <clock_model/clock_ratio.hpp>
 #include <common/device.hpp>
 #include <peripheral_model/peripheral_parameters.hpp>
 
@@ -25,7 +26,7 @@ class Uart final : public Device {
   using InterruptLine = std::function<void(Line line, bool level, Cycles at)>;
 
   // `ratio`: CCLK cycles of an SCLK.
-  Uart(const PeripheralParameters& parameters, Cycles ratio, InterruptLine line);
+  Uart(const PeripheralParameters& parameters, clock::ClockRatio ratio, InterruptLine line);
 
   // Gets each character when its stop bits are over.
   void set_output(std::function<void(std::uint8_t character)> output) {
@@ -38,6 +39,8 @@ class Uart final : public Device {
   [[nodiscard]] std::uint32_t read(std::uint32_t offset, int bytes, Cycles now) override;
   void write(std::uint32_t offset, int bytes, std::uint32_t value, Cycles now) override;
   void advance(Cycles now) override;
+  // Characters that are under way become longer or shorter, too, also those that come in.
+  void change_clock(const clock::ClockChange& change);
 
  private:
   void write_character(std::uint32_t value, Cycles now);
@@ -54,8 +57,8 @@ class Uart final : public Device {
   void update(Cycles now);
   void set_line(Line line, bool level, Cycles now);
 
-  Cycles ratio_;
-  Cycles input_gap_;
+  clock::ClockRatio ratio_;
+  Cycles input_gap_;  // in SCLK
   InterruptLine line_;
   std::function<void(std::uint8_t)> output_;
   std::vector<std::uint8_t> input_;

@@ -17,7 +17,7 @@ enum class Event : std::uint32_t { reset, non_maskable, interrupt, none };
 
 }  // namespace
 
-Watchdog::Watchdog(std::string name, Cycles ratio, Outputs outputs)
+Watchdog::Watchdog(std::string name, clock::ClockRatio ratio, Outputs outputs)
     : name_(std::move(name)), ratio_(ratio), outputs_(std::move(outputs)), control_(kDisabled) {}
 
 const DeviceRegister* Watchdog::find_register(std::uint32_t offset) const {
@@ -29,9 +29,8 @@ const DeviceRegister* Watchdog::find_register(std::uint32_t offset) const {
 bool Watchdog::enabled() const { return (control_ & kEnableMask) != kDisabled; }
 
 std::uint32_t Watchdog::left(Cycles now) const {
-  return next_event_ == kNever
-             ? status_
-             : static_cast<std::uint32_t>((next_event_ - now + ratio_ - 1) / ratio_);
+  return next_event_ == kNever ? status_
+                               : static_cast<std::uint32_t>(ratio_.left(next_event_ - now));
 }
 
 std::uint32_t Watchdog::read(std::uint32_t offset, int /*bytes*/, Cycles now) {
@@ -69,13 +68,13 @@ void Watchdog::write_control(std::uint32_t value, Cycles now) {
   control_ = value & (kEventMask | kEnableMask);
   rolled_over_ = rolled_over_ && (value & kRolledOver) == 0;
   const bool counts = enabled() && status_ > 0;
-  next_event_ = counts ? now + status_ * ratio_ : kNever;
+  next_event_ = counts ? now + ratio_.cycles(status_) : kNever;
   update_line(now);
 }
 
 void Watchdog::reload(Cycles now) {
   status_ = count_;
-  next_event_ = enabled() && status_ > 0 ? now + status_ * ratio_ : kNever;
+  next_event_ = enabled() && status_ > 0 ? now + ratio_.cycles(status_) : kNever;
 }
 
 void Watchdog::advance(Cycles now) {

@@ -11,6 +11,7 @@
 #include <functional>
 #include <string>
 
+#include <clock_model/clock_ratio.hpp>
 #include <common/device.hpp>
 
 namespace finback::peripheral {
@@ -26,12 +27,16 @@ class Watchdog final : public Device {
   };
 
   // `name` as its registers are called: "WDOGA". `ratio`: CCLK cycles of an SCLK.
-  Watchdog(std::string name, Cycles ratio, Outputs outputs);
+  Watchdog(std::string name, clock::ClockRatio ratio, Outputs outputs);
 
   [[nodiscard]] const DeviceRegister* find_register(std::uint32_t offset) const override;
   [[nodiscard]] std::uint32_t read(std::uint32_t offset, int bytes, Cycles now) override;
   void write(std::uint32_t offset, int bytes, std::uint32_t value, Cycles now) override;
   void advance(Cycles now) override;
+  void change_clock(const clock::ClockChange& change) {
+    ratio_ = change.to;
+    next_event_ = change.system_time(next_event_);
+  }
 
  private:
   void write_control(std::uint32_t value, Cycles now);
@@ -41,7 +46,7 @@ class Watchdog final : public Device {
   void update_line(Cycles now);
 
   std::string name_;
-  Cycles ratio_;
+  clock::ClockRatio ratio_;
   Outputs outputs_;
   std::uint32_t control_;
   std::uint32_t count_ = 0;   // CNT

@@ -3,28 +3,13 @@
 #include <fmt/format.h>
 #include <stdexcept>
 
+#include <clock_model/core_voltage.hpp>
 #include <common/error.hpp>
 #include <power_model/power_model.hpp>
 
 namespace finback::power {
 
 namespace {
-
-struct SpeedGrade {
-  double megahertz;
-  double volts;
-};
-// ADI's own driver table for the SBB600 grade (hardware.md 5.1).
-constexpr std::array<SpeedGrade, 10> kSpeedGrades = {{{250, 0.85},
-                                                      {300, 0.90},
-                                                      {313, 0.95},
-                                                      {350, 1.00},
-                                                      {400, 1.05},
-                                                      {444, 1.10},
-                                                      {450, 1.15},
-                                                      {475, 1.20},
-                                                      {500, 1.25},
-                                                      {600, 1.30}}};
 
 // The clock at which the SDRAM's burst current is specified (-75 grade).
 constexpr double kSdramSpecificationHertz = 133e6;
@@ -43,10 +28,8 @@ PowerComponent component(const std::string& name, double volts, double amperes,
 }  // namespace
 
 double lowest_core_volts(double hertz) {
-  for (const SpeedGrade& grade : kSpeedGrades) {
-    if (hertz <= grade.megahertz * 1e6) {
-      return grade.volts;
-    }
+  if (const clock::SpeedGrade* grade = clock::grade_for(hertz / 1e6)) {
+    return grade->volts;
   }
   throw InputError(
       fmt::format("core clock of {:g} MHz: the power model's voltage table ends at 600 MHz; set "
@@ -73,17 +56,35 @@ double activity_factor(const PowerParameters& p, const CoreActivity& core) {
   return (busy_activity + asleep * p.activity_idle) / static_cast<double>(core.cycles);
 }
 
+namespace {
+
+double core_volts(const PowerParameters& p, const Activity& activity) {
+  if (activity.mode == clock::Mode::hibernate) {
+    return 0;
+  }
+  if (p.core_volts > 0) {
+    return p.core_volts;
+  }
+  return activity.core_volts > 0 ? activity.core_volts : lowest_core_volts(activity.core_hertz);
+}
+
+}  // namespace
+
 PowerEstimate estimate_power(const PowerParameters& p, const Activity& activity) {
   if (activity.cycles == 0) {
     throw std::logic_error("estimate_power: no time to average over");
   }
-  const double core_megahertz = activity.core_hertz / 1e6;
-  const double system_megahertz = activity.system_hertz / 1e6;
+  const clock::Mode mode = activity.mode;
+  const bool core_runs = mode == clock::Mode::full_on || mode == clock::Mode::active;
+  const bool system_runs = core_runs || mode == clock::Mode::sleep;
+  const double core_megahertz = core_runs ? activity.core_hertz / 1e6 : 0;
+  const double system_hertz = system_runs ? activity.system_hertz : 0;
+  const double system_megahertz = system_hertz / 1e6;
   const double seconds = static_cast<double>(activity.cycles) / activity.core_hertz;
 
   PowerEstimate estimate;
   auto& parts = estimate.components;
-  const double volts = p.core_volts > 0 ? p.core_volts : lowest_core_volts(activity.core_hertz);
+  const double volts = core_volts(p, activity);
   estimate.core_volts = volts;
 
   // Core supply, in amperes at the core's voltage.
@@ -116,17 +117,18 @@ PowerEstimate estimate_power(const PowerParameters& p, const Activity& activity)
   const double utilisation =
       std::min(1.0, static_cast<double>(activity.external_beats) / bus_cycles);
   estimate.bus_utilisation = utilisation;
-  const double pin_amperes = io * p.pin_picofarads * 1e-12 * activity.system_hertz;
+  const double pin_amperes = io * p.pin_picofarads * 1e-12 * system_hertz;
   parts.push_back(component("io.external_bus", io,
                             p.bus_toggle * p.bus_pins * pin_amperes / 2 * utilisation, p.bus_pins));
   parts.push_back(component("io.sdram_clock", io, p.sdram_chips * pin_amperes, p.pin_picofarads));
-  const double burst =
-      p.sdram_burst_milliamperes * activity.system_hertz / kSdramSpecificationHertz;
-  parts.push_back(component("sdram", io,
-                            1e-3 * p.sdram_chips * p.sdram_typical_share *
-                                ((1 - utilisation) * p.sdram_standby_milliamperes +
-                                 utilisation * burst + p.sdram_refresh_milliamperes),
-                            p.sdram_typical_share));
+  const double burst = p.sdram_burst_milliamperes * system_hertz / kSdramSpecificationHertz;
+  parts.push_back(
+      component("sdram", io,
+                1e-3 * p.sdram_chips * p.sdram_typical_share *
+                    (system_runs ? (1 - utilisation) * p.sdram_standby_milliamperes +
+                                       utilisation * burst + p.sdram_refresh_milliamperes
+                                 : p.sdram_self_refresh_milliamperes),
+                p.sdram_typical_share));
 
   // The rest of the board.
   parts.push_back(component("cameras", io, p.cameras * p.camera_watts / io, p.camera_watts));
@@ -137,6 +139,40 @@ PowerEstimate estimate_power(const PowerParameters& p, const Activity& activity)
   }
   estimate.amperes = estimate.watts / io;
   return estimate;
+}
+
+PowerEstimate average(std::span<const TimedEstimate> parts) {
+  PowerEstimate sum = parts.front().estimate;
+  if (parts.size() == 1) {
+    return sum;
+  }
+  double seconds = 0;
+  for (const TimedEstimate& part : parts) {
+    seconds += part.seconds;
+  }
+  const auto mean = [&](const auto& value) {
+    double total = 0;
+    for (const TimedEstimate& part : parts) {
+      total += value(part.estimate) * part.seconds;
+    }
+    return total / seconds;
+  };
+  sum.watts = mean([](const PowerEstimate& e) { return e.watts; });
+  sum.amperes = mean([](const PowerEstimate& e) { return e.amperes; });
+  sum.core_volts = mean([](const PowerEstimate& e) { return e.core_volts; });
+  sum.bus_utilisation = mean([](const PowerEstimate& e) { return e.bus_utilisation; });
+  for (std::size_t core = 0; core < sum.activity.size(); ++core) {
+    sum.activity[core] = mean([core](const PowerEstimate& e) { return e.activity[core]; });
+  }
+  for (std::size_t i = 0; i < sum.components.size(); ++i) {
+    PowerComponent& component = sum.components[i];
+    component.watts = mean([i](const PowerEstimate& e) { return e.components[i].watts; });
+    component.amperes = mean([i](const PowerEstimate& e) { return e.components[i].amperes; });
+    if (component.amperes > 0) {
+      component.volts = component.watts / component.amperes;
+    }
+  }
+  return sum;
 }
 
 }  // namespace finback::power

@@ -3,15 +3,18 @@
 // Models the board's average power over a run: core leakage by voltage and temperature, dynamic
 // current of each core by what it executed (activity factors of EE-297), shared and system clock
 // domains, the regulator's loss, external bus pins and SDRAM by their utilisation, cameras and the
-// rest of the board. Does not model: changes of clock or voltage within a run, data-dependent
-// toggling, L2's own accesses, self-heating. Source: hardware.md section 5; docs/power.md.
+// rest of the board; sleep, deep sleep and hibernation. A run that changes its clocks is the sum of
+// its operating points. Does not model: what a change itself costs, data-dependent toggling, L2's
+// own accesses, self-heating. Source: hardware.md section 5; docs/power.md.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
+#include <clock_model/operating_point.hpp>
 #include <common/units.hpp>
 #include <power_model/power_parameters.hpp>
 
@@ -29,6 +32,8 @@ struct CoreActivity {
 struct Activity {
   double core_hertz = 600e6;
   double system_hertz = 120e6;
+  double core_volts = 0;  // as software set them; 0: the lowest that the core clock allows
+  clock::Mode mode = clock::Mode::full_on;
   Cycles cycles = 0;  // CCLK cycles of the time looked at; must not be 0
   std::array<CoreActivity, kCoreCount> cores;
   std::uint64_t external_beats = 0;  // transfers of up to 32 bits on the external bus
@@ -64,5 +69,12 @@ struct PowerEstimate {
 // Throws std::logic_error when `activity.cycles` is 0, InputError for an impossible clock.
 [[nodiscard]] PowerEstimate estimate_power(const PowerParameters& parameters,
                                            const Activity& activity);
+
+struct TimedEstimate {
+  PowerEstimate estimate;
+  double seconds = 0;
+};
+// Over all of them, which are of one board; at least one, with a time above 0.
+[[nodiscard]] PowerEstimate average(std::span<const TimedEstimate> parts);
 
 }  // namespace finback::power

@@ -81,6 +81,12 @@ struct PowerParameters : ParameterGroup {
       this,
       {"power.sdram.refresh_milliamperes", "mA", 3.5, 0, 1000, 'V', "hardware.md 5.4 (MT48, IDD6)",
        "maximum current of spread auto-refresh"}};
+  RealParameter sdram_self_refresh_milliamperes{
+      this,
+      {"power.sdram.self_refresh_milliamperes", "mA", 2.5, 0, 1000, 'V',
+       "hardware.md 5.4 (MT48, IDD7)",
+       "maximum current of a device in self-refresh, which keeps its contents: in deep sleep and "
+       "hibernation; 0 for a board that gives them up"}};
   RealParameter sdram_typical_share{this,
                                     {"power.sdram.typical_share", "", 0.75, 0, 1, 'E',
                                      "hardware.md 5.5", "typical current beside the maximum"}};

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/format.h>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -51,6 +52,9 @@ class Value {
     const std::uint64_t value = count();
     want(value <= static_cast<std::uint64_t>(std::numeric_limits<int>::max()), "a smaller number");
     return static_cast<int>(value);
+  }
+  [[noreturn]] void refuse(std::string_view wanted) const {
+    throw InputError(fmt::format("{}: {} wants {}", file_, path_, wanted));
   }
   [[nodiscard]] bool flag() const {
     want(json_.is_boolean(), "true or false");
@@ -208,6 +212,25 @@ std::optional<Accuracy> read_accuracy(const Value& value) {
   return accuracy;
 }
 
+clock::OperatingPoint read_point(const Value& row) {
+  const std::string name = row["mode"].text();
+  const auto known = std::ranges::find(clock::kModeNames, name);
+  if (known == clock::kModeNames.end()) {
+    row["mode"].refuse("a mode such as full_on or sleep");
+  }
+  return {static_cast<clock::Mode>(known - clock::kModeNames.begin()), row["core_hertz"].number(),
+          row["system_hertz"].number(), row["core_volts"].number()};
+}
+
+void read_clocks(const Value& value, RunResult& result) {
+  value["segments"].each(
+      [&](const Value& row) { result.clocks.change(row["from_cycle"].count(), read_point(row)); });
+  value["points"].each([&](const Value& row) {
+    result.points.push_back(
+        {read_point(row), row["cycles"].count(), row["seconds"].number(), row["watts"].number()});
+  });
+}
+
 std::string unit_of_target(const std::string& name) {
   return name == "power_watts" ? "W" : name == "frames_per_second" ? "fps" : "";
 }
@@ -224,6 +247,9 @@ RunResult read_result(const Value& root) {
   result.core_hertz = root["core_hertz"].number();
   result.system_hertz = root["system_hertz"].number();
   result.cycles = root["cycles"].count();
+  if (root.has("clocks")) {  // not in results of older versions, whose clocks did not change
+    read_clocks(root["clocks"], result);
+  }
   root["frames"].each([&](const Value& row) {
     result.frames.push_back({static_cast<std::uint32_t>(row["number"].small_count()),
                              row["grabbed_cycle"].count(), row["published_cycle"].count()});

@@ -43,10 +43,35 @@ Json frames(const RunResult& result) {
     list.push_back({{"number", frame.number},
                     {"grabbed_cycle", frame.grabbed},
                     {"published_cycle", frame.published},
-                    {"latency_seconds",
-                     static_cast<double>(frame.published - frame.grabbed) / result.core_hertz}});
+                    {"latency_seconds", result.seconds(frame.grabbed, frame.published)}});
   }
   return list;
+}
+
+Json clocks(const RunResult& result) {
+  const auto put_point = [](Json& row, const clock::OperatingPoint& point) {
+    row["mode"] = clock::name_of(point.mode);
+    row["core_hertz"] = point.core_hertz;
+    row["system_hertz"] = point.system_hertz;
+    row["core_volts"] = point.core_volts;
+  };
+  Json changes = Json::array();
+  for (const clock::ClockSegment& segment : result.clocks.segments()) {
+    Json row = {{"from_cycle", segment.from}};
+    put_point(row, segment.point);
+    changes.push_back(std::move(row));
+  }
+  Json points = Json::array();
+  for (const PointUse& use : result.points) {
+    Json row = Json::object();
+    put_point(row, use.point);
+    row["cycles"] = use.cycles;
+    row["seconds"] = use.seconds;
+    row["watts"] = use.watts;
+    row["joules"] = use.joules();
+    points.push_back(std::move(row));
+  }
+  return {{"segments", std::move(changes)}, {"points", std::move(points)}};
 }
 
 Json cores(const RunResult& result) {
@@ -206,7 +231,7 @@ std::string to_json(const RunResult& result) {
       {"schema_version", kResultSchemaVersion},
       {"provenance", provenance(result.provenance)},
       {"stopped", result.stopped},
-      {"frames_per_second", frames_per_second(result.frames, result.core_hertz)},
+      {"frames_per_second", frames_per_second(result)},
       {"power_watts", result.power.watts},
       {"targets", targets(result)},
       {"accuracy", accuracy(result)},
@@ -214,6 +239,7 @@ std::string to_json(const RunResult& result) {
       {"system_hertz", result.system_hertz},
       {"cycles", result.cycles},
       {"seconds", result.seconds()},
+      {"clocks", clocks(result)},
       {"frames", frames(result)},
       {"stages", stages(result)},
       {"cores", cores(result)},

@@ -46,12 +46,13 @@ class Collector {
   }
 
   void add_run() {
-    const double rate = frames_per_second(result_.frames, result_.core_hertz);
+    const double rate = frames_per_second(result_);
     add("frames_per_second", rate, "fps");
     add("power_watts", result_.power.watts, "W");
     add("seconds", result_.seconds(), "s");
     add("cycles", static_cast<double>(result_.cycles), "cycles");
     add("core_megahertz", result_.core_hertz / 1e6, "MHz");
+    add("energy_joules", result_.power.watts * result_.seconds(), "J");
     add("bus_utilisation", result_.power.bus_utilisation, "");
     for (const power::PowerComponent& component : result_.power.components) {
       add(fmt::format("power.{}.watts", metric_word(component.name)), component.watts, "W");
@@ -60,11 +61,11 @@ class Collector {
       add("energy_per_frame_joules", result_.power.watts / rate, "J");
     }
     if (!result_.frames.empty()) {
-      Cycles longest = 0;
+      double longest = 0;
       for (const Frame& frame : result_.frames) {
-        longest = std::max(longest, frame.published - frame.grabbed);
+        longest = std::max(longest, result_.seconds(frame.grabbed, frame.published));
       }
-      add("latency_seconds", static_cast<double>(longest) / result_.core_hertz, "s");
+      add("latency_seconds", longest, "s");
     }
   }
 

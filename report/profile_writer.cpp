@@ -85,7 +85,7 @@ std::string profile_text(const RunResult& result, const ProfileView& view) {
   page.line("Firmware {}, scene {}, placement {}, machine {}: {} frames, {:.2f} fps",
             result.provenance.firmware.name, result.provenance.scene.name,
             result.provenance.placement.name, result.provenance.machine.name, result.frames.size(),
-            frames_per_second(result.frames, result.core_hertz));
+            frames_per_second(result));
   write_functions(page, result, view.most, view.order, view.core, view.style);
   write_lines(page, result, view);
   write_cores(page, result);

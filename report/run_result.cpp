@@ -4,18 +4,32 @@
 
 namespace finback::report {
 
-double RunResult::seconds() const {
-  return core_hertz > 0 ? static_cast<double>(cycles) / core_hertz : 0;
+double RunResult::hertz(Cycles from, Cycles to) const {
+  return clocks.changed() ? clocks.mean_hertz(from, to) : core_hertz;
+}
+
+double RunResult::seconds(Cycles from, Cycles to) const {
+  const double mean = hertz(from, to);
+  return mean > 0 ? static_cast<double>(to - from) / mean : 0;
+}
+
+Stretch steady_state(const std::vector<Frame>& frames) {
+  if (frames.empty()) {
+    return {};
+  }
+  return {frames.size() == 1 ? frames.front().grabbed : frames.front().published,
+          frames.back().published};
 }
 
 double frames_per_second(const std::vector<Frame>& frames, double core_hertz) {
-  if (frames.empty()) {
-    return 0;
-  }
-  const Cycles from = frames.size() == 1 ? frames.front().grabbed : frames.front().published;
-  const Cycles to = frames.back().published;
-  const double intervals = frames.size() == 1 ? 1 : static_cast<double>(frames.size() - 1);
+  const auto [from, to] = steady_state(frames);
+  const double intervals = frames.size() == 1 ? 1 : static_cast<double>(frames.size()) - 1;
   return to > from ? intervals * core_hertz / static_cast<double>(to - from) : 0;
+}
+
+double frames_per_second(const RunResult& result) {
+  const auto [from, to] = steady_state(result.frames);
+  return frames_per_second(result.frames, result.hertz(from, to));
 }
 
 std::string verdict(const RunResult& result) {

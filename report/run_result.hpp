@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include <clock_model/clock_history.hpp>
 #include <common/units.hpp>
 #include <power_model/power_model.hpp>
 
@@ -146,11 +147,22 @@ struct Accuracy {
   double wrong = 0;    // share of the valid ones that are wrong
 };
 
+// What was spent at an operating point of the chip: full_on at 600 MHz, sleep, ...
+struct PointUse {
+  clock::OperatingPoint point;
+  Cycles cycles = 0;
+  double seconds = 0;
+  double watts = 0;  // of the whole board, on average
+  [[nodiscard]] double joules() const { return watts * seconds; }
+};
+
 struct RunResult {
   Provenance provenance;
   std::string stopped = "exited";  // why the run ended: "exited", "deadlock", ...
-  double core_hertz = 0;
+  double core_hertz = 0;           // at the start
   double system_hertz = 0;
+  clock::ClockHistory clocks;  // empty: they did not change
+  std::vector<PointUse> points;
   Cycles cycles = 0;  // of simulated time
   std::vector<Frame> frames;
   std::vector<Core> cores;
@@ -165,12 +177,24 @@ struct RunResult {
   std::optional<Accuracy> accuracy;  // when the scene's truth is known
   std::map<std::string, std::uint64_t> counters;
 
-  [[nodiscard]] double seconds() const;
+  // Between two times in cycles: by how many of them a second has on average, and how many
+  // seconds they are.
+  [[nodiscard]] double hertz(Cycles from, Cycles to) const;
+  [[nodiscard]] double seconds(Cycles from, Cycles to) const;
+  // Of the whole run.
+  [[nodiscard]] double seconds() const { return seconds(0, cycles); }
 };
 
 // Frames a second in the steady state: (n - 1) / (time from first to last publication); with one
 // frame 1 / (time from grabbing to publishing); 0 without frames.
+[[nodiscard]] double frames_per_second(const RunResult& result);
+// The same at one clock, and the time that it looks at.
 [[nodiscard]] double frames_per_second(const std::vector<Frame>& frames, double core_hertz);
+struct Stretch {
+  Cycles from = 0;
+  Cycles to = 0;
+};
+[[nodiscard]] Stretch steady_state(const std::vector<Frame>& frames);
 
 // "pass" when every target is met, else "fail: NAME VALUE UNIT, wanted >= LIMIT, ...".
 [[nodiscard]] std::string verdict(const RunResult& result);

@@ -7,6 +7,8 @@ namespace finback::report {
 
 namespace {
 
+constexpr std::size_t kChangesShown = 8;
+
 struct ObjectRow {
   const Object* object;
   std::uint64_t accesses = 0;
@@ -54,6 +56,11 @@ Cycles key_of(const Function& function, FunctionOrder order) {
 Cycles cycles_of_core(const RunResult& r, const std::string& name) {
   const auto core = std::ranges::find(r.cores, name, &Core::name);
   return core == r.cores.end() ? 0 : core->cycles;
+}
+
+std::string point_text(const clock::OperatingPoint& point) {
+  return fmt::format("{:<10} {:>6.4g} {:>6.4g} {:>6.2f}", clock::name_of(point.mode),
+                     point.core_hertz / 1e6, point.system_hertz / 1e6, point.core_volts);
 }
 
 }  // namespace
@@ -142,6 +149,24 @@ void write_objects(Page& page, const RunResult& r, std::size_t most) {
               row.object->name.substr(0, 26), row.object->owner, row.object->region,
               bytes_text(static_cast<double>(row.object->size)), per_frame(row.accesses, r),
               bytes_text(per_frame(row.bytes, r)), per_frame(row.stalls, r));
+  }
+}
+
+void write_clocks(Page& page, const RunResult& r) {
+  if (!r.clocks.changed()) {
+    return;
+  }
+  page.title("Clocks       CCLK   SCLK      V           ms       W         mJ");
+  for (const PointUse& use : r.points) {
+    page.line("  {} {:>12.4f} {:>7.3f} {:>10.4f}", point_text(use.point), use.seconds * 1e3,
+              use.watts, use.joules() * 1e3);
+  }
+  const auto& segments = r.clocks.segments();
+  const std::size_t shown = std::min(segments.size() - 1, kChangesShown);
+  page.line("  changed {} times, {} of them shown:", segments.size() - 1, shown);
+  for (std::size_t i = 1; i <= shown; ++i) {
+    page.line("  {} from {:.4f} ms on (cycle {})", point_text(segments[i].point),
+              r.seconds(0, segments[i].from) * 1e3, segments[i].from);
   }
 }
 

@@ -23,5 +23,7 @@ void write_functions(Page& page, const RunResult& result, std::size_t most,
                      const Style& style = {});
 // The `most` objects that cause the most stalls, and of these without, that move the most bytes.
 void write_objects(Page& page, const RunResult& result, std::size_t most);
+// The operating points of a program that changed its clocks, and when it did; else nothing.
+void write_clocks(Page& page, const RunResult& r);
 
 }  // namespace finback::report

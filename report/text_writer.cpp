@@ -15,8 +15,9 @@ void write_head(Page& page, const RunResult& r) {
   page.line("Finback {}: firmware {}, scene {}, placement {}, machine {}",
             r.provenance.tool_version, r.provenance.firmware.name, r.provenance.scene.name,
             r.provenance.placement.name, r.provenance.machine.name);
-  page.line("{} frames in {:.1f} ms of simulated time, CCLK {:.0f} MHz, SCLK {:.0f} MHz",
-            r.frames.size(), r.seconds() * 1e3, r.core_hertz / 1e6, r.system_hertz / 1e6);
+  page.line("{} frames in {:.1f} ms of simulated time, CCLK {:.0f} MHz, SCLK {:.0f} MHz{}",
+            r.frames.size(), r.seconds() * 1e3, r.core_hertz / 1e6, r.system_hertz / 1e6,
+            r.clocks.changed() ? " at first (see Clocks)" : "");
   page.line("");
   for (const Target& target : r.targets) {
     page.line("  {:<20} {:>8.2f} {:<5} target {} {:<6g} {}", target.name, target.value, target.unit,
@@ -25,7 +26,7 @@ void write_head(Page& page, const RunResult& r) {
   if (!r.frames.empty()) {
     const Frame& last = r.frames.back();
     page.line("  {:<20} {:>8.2f} ms    from the pair's arrival to its map, last frame", "latency",
-              static_cast<double>(last.published - last.grabbed) / r.core_hertz * 1e3);
+              r.seconds(last.grabbed, last.published) * 1e3);
   }
   if (r.accuracy) {
     const Accuracy& a = *r.accuracy;
@@ -46,7 +47,7 @@ void write_stages(Page& page, const RunResult& r) {
     const auto core = std::find_if(r.cores.begin(), r.cores.end(),
                                    [&](const Core& c) { return c.name == stage.core; });
     page.line("  {:<24}  {:<7} {:>14.0f} {:>8.2f} {:>8.1f} %", stage.name, stage.core,
-              stage.cycles_per_frame, stage.cycles_per_frame / r.core_hertz * 1e3,
+              stage.cycles_per_frame, stage.cycles_per_frame / r.hertz(0, r.cycles) * 1e3,
               core == r.cores.end() ? 0.0 : percent(stage.cycles, core->cycles));
   }
 }
@@ -83,6 +84,7 @@ std::string to_text(const RunResult& result) {
   write_functions(page, result, kFunctionsShown);
   write_objects(page, result, kObjectsShown);
   write_regions(page, result);
+  write_clocks(page, result);
   write_power(page, result);
   page.line("\nVerdict: {}", verdict(result));
   return page.take();

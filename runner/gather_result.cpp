@@ -3,6 +3,7 @@
 
 #include <isa_sim/ir/linker.hpp>
 #include <isa_sim/isa/instruction.hpp>
+#include <isa_sim/machine/clock_log.hpp>
 #include <memory_model/memory_system.hpp>
 #include <power_model/power_model.hpp>
 #include <report/metrics.hpp>
@@ -81,22 +82,6 @@ void gather_regions(const ir::Image& image, const memory::MemoryMap& map,
   }
 }
 
-// Every access to SDRAM moves at most 32 bits: one transfer of the external bus. The cameras' pairs
-// come as 32-bit words.
-std::uint64_t external_beats(const memory::MemorySystem& memory) {
-  std::uint64_t beats = 0;
-  for (int initiator = 0; initiator < memory::kInitiatorCount; ++initiator) {
-    for (const memory::Direction direction : {memory::Direction::read, memory::Direction::write}) {
-      const memory::Traffic traffic = memory.level_traffic(
-          memory::Level::l3, static_cast<memory::Initiator>(initiator), direction);
-      beats += static_cast<memory::Initiator>(initiator) == memory::Initiator::host
-                   ? traffic.bytes / 4
-                   : traffic.accesses;
-    }
-  }
-  return beats;
-}
-
 power::CoreActivity core_activity(const core::CoreProfile& profile, Cycles end) {
   const auto operations = [&](isa::Energy energy) {
     return profile.by_energy_class[static_cast<std::size_t>(energy)];
@@ -107,6 +92,42 @@ power::CoreActivity core_activity(const core::CoreProfile& profile, Cycles end) 
           .alu_operations = operations(isa::Energy::alu),
           .mac_operations = operations(isa::Energy::mac),
           .access_operations = operations(isa::Energy::access)};
+}
+
+// A core that did not run slept.
+power::CoreActivity core_activity(const core::CoreWork& work, Cycles cycles) {
+  const auto operations = [&](isa::Energy energy) {
+    return work.by_energy_class[static_cast<std::size_t>(energy)];
+  };
+  return {.cycles = cycles,
+          .idle_cycles = cycles - std::min(cycles, work.busy),
+          .alu_operations = operations(isa::Energy::alu),
+          .mac_operations = operations(isa::Energy::mac),
+          .access_operations = operations(isa::Energy::access)};
+}
+
+// By operating point, and their average.
+void gather_power(const power::PowerParameters& parameters, const machine::ClockLog& clocks,
+                  report::RunResult& result) {
+  std::vector<power::TimedEstimate> parts;
+  for (const machine::PointUse& use : clocks.uses()) {
+    if (use.cycles == 0) {
+      continue;
+    }
+    power::Activity activity;
+    activity.core_hertz = use.point.core_hertz;
+    activity.system_hertz = use.point.system_hertz;
+    activity.core_volts = use.point.core_volts;
+    activity.mode = use.point.mode;
+    activity.cycles = use.cycles;
+    activity.external_beats = use.work.external_transfers;
+    for (std::size_t core = 0; core < activity.cores.size(); ++core) {
+      activity.cores[core] = core_activity(use.work.cores[core], use.cycles);
+    }
+    parts.push_back({power::estimate_power(parameters, activity), use.seconds});
+    result.points.push_back({use.point, use.cycles, use.seconds, parts.back().estimate.watts});
+  }
+  result.power = power::average(parts);
 }
 
 std::optional<report::Accuracy> gather_accuracy(const scenes::FloatImage& truth,
@@ -166,14 +187,22 @@ report::RunResult gather_result(const RunInputs& inputs, const ir::Image& image,
   activity.core_hertz = result.core_hertz;
   activity.system_hertz = result.system_hertz;
   activity.cycles = std::max<Cycles>(1, end);
-  activity.external_beats = external_beats(memory);
+  activity.external_beats = memory.external_transfers();
   for (const CoreId core : {CoreId::a, CoreId::b}) {
     const core::CoreProfile& profile = profiles[static_cast<std::size_t>(core)];
     gather_program(core, image.cores[static_cast<std::size_t>(core)], profile, result);
     gather_stack(core, image, machine, result.cores.back());
     activity.cores[static_cast<std::size_t>(core)] = core_activity(profile, end);
   }
-  result.power = power::estimate_power(*inputs.power, activity);
+  const machine::ClockLog& clocks = machine.clocks();
+  result.clocks = clocks.history();
+  if (result.clocks.changed()) {
+    gather_power(*inputs.power, clocks, result);
+  } else {
+    result.power = power::estimate_power(*inputs.power, activity);
+    const double seconds = static_cast<double>(end) / result.core_hertz;
+    result.points = {{clocks.history().segments().front().point, end, seconds, result.power.watts}};
+  }
 
   gather_stages(inputs.firmware.firmware.units.stages, result);
   gather_traffic(memory, result);
@@ -182,7 +211,7 @@ report::RunResult gather_result(const RunInputs& inputs, const ir::Image& image,
   result.accuracy = gather_accuracy(truth_of_last_map(inputs, machine), machine.host().maps());
   if (!result.frames.empty()) {  // a program that shows no maps has no rate to miss
     result.targets.push_back({"frames_per_second", ">=", kTargetFramesPerSecond,
-                              report::frames_per_second(result.frames, result.core_hertz), "fps"});
+                              report::frames_per_second(result), "fps"});
   }
   result.targets.push_back({"power_watts", "<=", kTargetWatts, result.power.watts, "W"});
   for (const auto& [name, reading] : machine.counters().snapshot()) {

@@ -112,8 +112,9 @@ void PortFiles::attach(machine::Machine& machine) {
         [this](std::uint8_t character) { uart_output_ += static_cast<char>(character); });
   }
   if (!request_.flags.empty()) {
-    peripherals.set_flag_listener(
-        [this](const PinChange& change) { flags_output_.push_back(change); });
+    peripherals.set_flag_listener([this, &machine](const PinChange& change) {
+      flags_output_.push_back({machine.reference_time(change.at), change.pin, change.level});
+    });
   }
 }
 

@@ -47,7 +47,7 @@ class PortFiles {
   std::vector<std::uint8_t> uart_input_;
   std::vector<peripheral::PinChange> flags_input_;
   std::string uart_output_;
-  std::vector<peripheral::PinChange> flags_output_;
+  std::vector<peripheral::PinChange> flags_output_;  // in cycles of the clock at the start
 };
 
 // Runs the machine; what came out of its ports is written also when the program faults.

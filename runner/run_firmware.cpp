@@ -3,6 +3,7 @@
 
 #include <common/error.hpp>
 #include <isa_sim/ir/linker.hpp>
+#include <isa_sim/machine/clock_log.hpp>
 #include <isa_sim/machine/machine.hpp>
 #include <isa_sim/machine/peripherals.hpp>
 #include <runner/gather_result.hpp>
@@ -13,8 +14,7 @@ namespace finback::runner {
 namespace {
 
 // Why a run that stopped so has no result; "" when it has.
-std::string complaint(const machine::StopInfo& stop, machine::HostPort& host, double core_hertz) {
-  const double seconds = static_cast<double>(stop.time) / core_hertz;
+std::string complaint(const machine::StopInfo& stop, machine::HostPort& host, double seconds) {
   switch (stop.reason) {
     case machine::Stop::exited:
       if (!stop.message.empty()) {
@@ -34,6 +34,9 @@ std::string complaint(const machine::StopInfo& stop, machine::HostPort& host, do
           "needs longer, raise --max-seconds",
           host.maps().size(), seconds);
     case machine::Stop::deadlock:
+      if (!stop.message.empty()) {
+        return fmt::format("stands still after {:.6f} s: {}", seconds, stop.message);
+      }
       return fmt::format(
           "both cores sleep after {:.6f} s and no event is due that would wake them: a wait for "
           "an interrupt that is masked or was never started",
@@ -119,7 +122,7 @@ RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
   }
 
   machine::RunLimits limits;
-  limits.cycles = inputs.cycle_limit;
+  limits.reference_cycles = inputs.cycle_limit;
   if (observer.cancelled) {
     limits.cancelled = [&](Cycles now) {
       return observer.cancelled(now, static_cast<std::uint32_t>(host.maps().size()));
@@ -131,7 +134,8 @@ RunOutcome run_firmware(const RunInputs& inputs, const RunObserver& observer) {
     outcome.cancelled = true;
     return outcome;
   }
-  const std::string trouble = complaint(stop, host, inputs.machine->clock.cclk_mhz * 1e6);
+  const std::string trouble =
+      complaint(stop, host, machine.clocks().history().seconds(0, stop.time));
   if (!trouble.empty()) {
     throw GuestFault(fmt::format("firmware {} {}", units.name, trouble));
   }

@@ -60,7 +60,7 @@ struct RunInputs {
   std::uint32_t frames = 1;
   bool check_races = false;  // slower
   // The run is given up as endless after so many cycles.
-  Cycles cycle_limit = kNever;
+  Cycles cycle_limit = kNever;  // of the clock at the start: a limit in real time
 };
 
 struct RunObserver {

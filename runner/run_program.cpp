@@ -63,6 +63,9 @@ ProgramOutcome run_program(const RunInputs& inputs, ProgramRun run) {
     run.registers(outcome.states);
   }
   if (outcome.stop.reason == machine::Stop::deadlock) {
+    if (!outcome.stop.message.empty()) {
+      throw GuestFault(fmt::format("{}: {}", units.path, outcome.stop.message));
+    }
     throw GuestFault(
         fmt::format("{}: the program sleeps after {} cycles and nothing is going to wake it: end "
                     "it with HLT, or with the exit call of EXCPT 0",

@@ -421,6 +421,20 @@ void Core::settle(Cycles at) {
   }
 }
 
+void Core::stop_clock(Cycles at) {
+  settle(at);
+  clock_stopped_at_ = at;
+}
+
+void Core::start_clock(Cycles at) {
+  const Cycles stood = at - std::exchange(clock_stopped_at_, kNever);
+  settle(at);
+  timer_.postpone(stood);
+  if (cycles_run_) {
+    cycle_base_ += stood;
+  }
+}
+
 void Core::add_stall(const Operation& operation, Cause cause, Cycles cycles, Address address) {
   dynamic_[operation.site][static_cast<std::size_t>(cause)] += cycles;
   state_.time += cycles;

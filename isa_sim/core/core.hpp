@@ -78,6 +78,10 @@ class Core {
   void advance(Cycles now);
   // A core that sleeps is charged its sleep until `at`; for reading the profile.
   void settle(Cycles at);
+  // CCLK stands still while the core sleeps: so do CYCLES and the core timer, and nothing but
+  // set_requests and latch_request wakes it then, after the clock has been started.
+  void stop_clock(Cycles at);
+  void start_clock(Cycles at);
 
   // From now on `sink` gets all that is issued, in order; call before the start. The last records
   // come with end_trace().
@@ -89,6 +93,8 @@ class Core {
   }
 
   [[nodiscard]] CoreProfile profile() const;
+  // What the power model wants to know, cheaper; of a core that sleeps as of its last settle().
+  [[nodiscard]] CoreWork work() const;
   // "function (address, file:line)" of a packet.
   [[nodiscard]] std::string place(std::uint32_t packet) const;
   void register_counters(CounterRegistry& registry) const;
@@ -241,6 +247,7 @@ class Core {
   Block* current_ = nullptr;
   bool started_ = false;
   bool sleeping_ = false;
+  Cycles clock_stopped_at_ = kNever;
   bool wake_line_ = false;
   bool halted_ = false;
   int exception_due_ = -1;     // by EXCPT: its code

@@ -110,7 +110,8 @@ void Core::stop_at_timer() {
 }
 
 Cycles Core::next_event_time() const {
-  const bool wakes = sleeping_ && !halted_ && (state_.interrupt_mask >> kCoreTimer & 1U) != 0;
+  const bool wakes = sleeping_ && !halted_ && clock_stopped_at_ == kNever &&
+                     (state_.interrupt_mask >> kCoreTimer & 1U) != 0;
   return wakes ? timer_.next_event() : kNever;
 }
 

@@ -108,6 +108,23 @@ CoreProfile Core::profile() const {
   return result;
 }
 
+CoreWork Core::work() const {
+  CoreWork work;
+  if (!started_) {
+    return work;
+  }
+  work.busy = state_.time - started_at_;
+  for (const CauseCycles& cycles : dynamic_) {
+    work.busy -= cycles[static_cast<std::size_t>(Cause::idle)];
+  }
+  for (const auto& block : blocks_) {
+    for (std::size_t i = 0; i < work.by_energy_class.size(); ++i) {
+      work.by_energy_class[i] += block->by_energy_class[i] * block->executions;
+    }
+  }
+  return work;
+}
+
 void Core::register_counters(CounterRegistry& registry) const {
   const std::string core = name_of(id_);
   registry.add(core + ".cycles", "cycles",

@@ -23,6 +23,8 @@ class CoreTimer {
 
   // When it requests the next time; kNever while it stands still.
   [[nodiscard]] Cycles next_event() const { return expires_; }
+  // Its clock stood still for so long.
+  void postpone(Cycles stood) { expires_ += expires_ == kNever ? 0 : stood; }
   // It has just expired: starts anew or stops.
   void expire();
 

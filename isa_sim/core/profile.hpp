@@ -79,4 +79,10 @@ struct CoreProfile {
   std::vector<PacketProfile> packet_profiles;  // those that cost anything, in order of address
 };
 
+// The part of it that the power model wants.
+struct CoreWork {
+  Cycles busy = 0;  // not asleep
+  std::array<std::uint64_t, 6> by_energy_class{};
+};
+
 }  // namespace finback::core

@@ -27,10 +27,10 @@ bool fits(RegisterWidth width, Address address, int bytes) {
 DeviceBus::DeviceBus(const MachineDescription& description, memory::MemorySystem& memory,
                      SystemInterrupts::Outputs interrupt_outputs)
     : memory_(memory),
-      read_cycles_(static_cast<Cycles>(description.devices.read_sclk) * description.clock.ratio()),
-      write_cycles_(static_cast<Cycles>(description.devices.write_sclk) *
-                    description.clock.ratio()),
-      interrupts_(description.devices, description.clock.ratio(), std::move(interrupt_outputs)),
+      read_sclk_(static_cast<Cycles>(description.devices.read_sclk)),
+      write_sclk_(static_cast<Cycles>(description.devices.write_sclk)),
+      ratio_(description.clock.ratio()),
+      interrupts_(description.devices, ratio_, std::move(interrupt_outputs)),
       host_(memory),
       external_port_(memory),
       dma1_(dma::Controller::dma1, description.dma, description.clock, memory,
@@ -58,6 +58,15 @@ DeviceBus::DeviceBus(const MachineDescription& description, memory::MemorySystem
                         },
                     .captured = [this](std::uint32_t frame,
                                        Cycles at) { host_.frame_captured(frame, at); }}),
+      pll_(description.pll, description.clock.cclk_mhz, description.clock.sclk_mhz,
+           description.clock.ratio(),
+           {.changed =
+                [this](const clock::OperatingPoint& point, clock::ClockRatio ratio, Cycles at) {
+                  if (clocked_) {
+                    clocked_(point, ratio, at);
+                  }
+                },
+            .wake = [this](Cycles at) { interrupts_.wake_up(kPllWakeup, at); }}),
       mappings_{{0xFFC00A00, ExternalPort::kRegisterBytes, "EBIU_", &external_port_},
                 {0xFFC00100, InterruptRegisters::kBytes, "SICA_", &sica_},
                 {0xFFC01100, InterruptRegisters::kBytes, "SICB_", &sicb_},
@@ -67,6 +76,7 @@ DeviceBus::DeviceBus(const MachineDescription& description, memory::MemorySystem
                 {0xFFC0F000, HostPort::kRegisterBytes, "HOST_", &host_}} {
   const std::vector<Mapping> more = peripherals_.mappings();
   mappings_.insert(mappings_.end(), more.begin(), more.end());
+  mappings_.push_back({0xFFC00000, clock::Pll::kRegisterBytes, "", &pll_});
 }
 
 std::function<void(int, bool, Cycles)> DeviceBus::line_setter() {
@@ -139,14 +149,14 @@ DeviceRead DeviceBus::read(int core, Address address, int bytes, Cycles now) {
   const Mapping& mapping = check(address, bytes, false);
   const Cycles free_at = bus_free_at_[static_cast<std::size_t>(core)];
   return {.value = mapping.device->read(address - mapping.base, bytes, now),
-          .stall = std::max(now, free_at) + read_cycles_ - now};
+          .stall = std::max(now, free_at) + ratio_.cycles(read_sclk_) - now};
 }
 
 Cycles DeviceBus::write(int core, Address address, int bytes, std::uint32_t value, Cycles now) {
   const Mapping& mapping = check(address, bytes, true);
   Cycles& free_at = bus_free_at_[static_cast<std::size_t>(core)];
   const Cycles stall = std::max(now, free_at) - now;
-  free_at = now + stall + write_cycles_;
+  free_at = now + stall + ratio_.cycles(write_sclk_);
   mapping.device->write(address - mapping.base, bytes, value, now);
   plan_next_event();
   return stall;
@@ -167,6 +177,24 @@ void DeviceBus::advance(Cycles now) {
     }
     plan_next_event();
   }
+}
+
+void DeviceBus::begin_clock_change(Cycles at) {
+  pll_.idle(at);
+  plan_next_event();
+}
+
+void DeviceBus::change_clock(const clock::ClockChange& change) {
+  ratio_ = change.to;
+  for (Cycles& free_at : bus_free_at_) {
+    free_at = change.system_time(free_at);
+  }
+  interrupts_.change_clock(change);
+  for (dma::DmaController* controller : {&dma1_, &dma2_, &imdma_}) {
+    controller->change_clock(change);
+  }
+  peripherals_.change_clock(change);
+  plan_next_event();
 }
 
 void DeviceBus::plan_next_event() {

@@ -1,10 +1,10 @@
 // The peripheral bus and everything on it: system registers from 0xFFC00000 to 0xFFDFFFFF.
 //
 // Models: DMA1, DMA2, IMDMA, SICA and SICB, parallel ports, watchdogs, timers, flags, the UART, the
-// external port, the host port; reads that hold the core, posted writes. A write takes effect at
-// the time it is made, though the bus is busy with it for a while; SSYNC waits for that. Does not
-// model: PLL, SPORT, SPI: an access there is a GuestFault that names the nearest register there is.
-// Source: hardware.md 1.6, 3.1, 4.
+// PLL, the external port, the host port; reads that hold the core, posted writes. A write takes
+// effect at the time it is made, though the bus is busy with it for a while; SSYNC waits for that.
+// Does not model: SPORT, SPI: an access there is a GuestFault that names the nearest register there
+// is. Source: hardware.md 1.6, 3.1, 4.
 #pragma once
 
 #include <array>
@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include <clock_model/pll.hpp>
 #include <common/counters.hpp>
 #include <common/device.hpp>
 #include <common/units.hpp>
@@ -66,6 +67,15 @@ class DeviceBus {
   [[nodiscard]] HostPort& host() { return host_; }
   [[nodiscard]] SystemInterrupts& interrupts() { return interrupts_; }
   [[nodiscard]] Peripherals& peripherals() { return peripherals_; }
+  // The PLL waits for the cores' IDLE; its change begins when they have come to it.
+  [[nodiscard]] clock::Pll& pll() { return pll_; }
+  void begin_clock_change(Cycles at);
+  // Gets every change of the clocks; it is to call change_clock().
+  using Clocked =
+      std::function<void(const clock::OperatingPoint& point, clock::ClockRatio ratio, Cycles at)>;
+  void set_clocked(Clocked clocked) { clocked_ = std::move(clocked); }
+  // Everything on the bus, and the bus itself, from now on.
+  void change_clock(const clock::ClockChange& change);
   // `who` describes the instruction that is writing a register now, for faults that come of it
   // later.
   void set_writer(const std::function<std::string()>& who);
@@ -82,8 +92,9 @@ class DeviceBus {
   void plan_next_event();
 
   memory::MemorySystem& memory_;
-  Cycles read_cycles_;
-  Cycles write_cycles_;
+  Cycles read_sclk_;
+  Cycles write_sclk_;
+  clock::ClockRatio ratio_;
   std::array<Cycles, kCoreCount> bus_free_at_{};
   Cycles next_event_ = kNever;
   SystemInterrupts interrupts_;
@@ -95,6 +106,8 @@ class DeviceBus {
   dma::DmaController dma2_;
   dma::DmaController imdma_;
   Peripherals peripherals_;
+  Clocked clocked_;
+  clock::Pll pll_;
   std::vector<Mapping> mappings_;
 };
 

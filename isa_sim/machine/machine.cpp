@@ -8,6 +8,7 @@
 #include <common/error.hpp>
 #include <isa_sim/core/core.hpp>
 #include <isa_sim/ir/placement.hpp>
+#include <isa_sim/machine/clock_log.hpp>
 #include <isa_sim/machine/device_bus.hpp>
 #include <isa_sim/machine/machine.hpp>
 #include <isa_sim/machine/machine_description.hpp>
@@ -46,7 +47,9 @@ class Machine::Implementation final : public core::SystemPort {
  public:
   Implementation(const MachineDescription& description, const ir::Image& image, Begin begin)
       : image_(image),
+        description_(description),
         core_hertz_(description.clock.cclk_mhz * 1e6),
+        ratio_(description.clock.ratio()),
         lookahead_(static_cast<Cycles>(std::int64_t{description.devices.intercore_latency})),
         tick_(static_cast<Cycles>(std::llround(description.clock.cclk_mhz * 1000))),
         memory_(description.map, description.memory, description.clock,
@@ -54,7 +57,11 @@ class Machine::Implementation final : public core::SystemPort {
         bus_(description, memory_,
              {.lines_changed =
                   [this](int core, std::uint32_t pending_ivg, bool wake, Cycles at) {
-                    core_at(core).set_requests(pending_ivg, wake, at);
+                    if (!bus_.pll().asleep()) {
+                      core_at(core).set_requests(pending_ivg, wake, at);
+                    } else if (wake && core_at(core).started()) {
+                      bus_.pll().wake(at);  // which tells of it again
+                    }
                   },
               .core_b_released =
                   [this](Cycles at) {
@@ -64,7 +71,8 @@ class Machine::Implementation final : public core::SystemPort {
                       }
                       cores_[1]->start(at);
                     }
-                  }}) {
+                  }}),
+        clocks_(bus_.pll().point()) {
     for (std::size_t i = 0; i < cores_.size(); ++i) {
       cores_[i] = std::make_unique<core::Core>(
           static_cast<CoreId>(i), image.cores[i], description.core,
@@ -99,7 +107,14 @@ class Machine::Implementation final : public core::SystemPort {
                                             core == 0 ? 'A' : 'B', core == 0 ? 'A' : 'B')};
              },
          .non_maskable =
-             [this](int core, Cycles at) { core_at(core).latch_request(core::kNonMaskable, at); }});
+             [this](int core, Cycles at) {
+               if (bus_.pll().asleep()) {
+                 bus_.pll().wake(at);
+               }
+               core_at(core).latch_request(core::kNonMaskable, at);
+             }});
+    bus_.set_clocked([this](const clock::OperatingPoint& point, clock::ClockRatio ratio,
+                            Cycles at) { change_clock(point, ratio, at); });
     core_at(0).start(
         0, begin == Begin::reset
                ? core::Core::Start{core::EventController::kAfterReset, core::kConfigAfterReset}
@@ -142,7 +157,7 @@ class Machine::Implementation final : public core::SystemPort {
     if (!program_host_) {
       return HostCall::none;
     }
-    const auto status = program_host_->call(state, now);
+    const auto status = program_host_->call(state, real_time_.to_reference(now));
     if (status) {
       exit_ = StopInfo{Stop::exited, *status, now, {}};
     }
@@ -179,12 +194,18 @@ class Machine::Implementation final : public core::SystemPort {
       core::Core* runner = earliest_core();
       const Cycles event = std::min(
           {bus_.next_event_time(), core_at(0).next_event_time(), core_at(1).next_event_time()});
+      if (bus_.pll().waits_for_idle() && idle_for_clocks()) {
+        bus_.begin_clock_change(latest_time());
+        continue;
+      }
       if (runner == nullptr && event == kNever) {
         return stopped({Stop::deadlock, 0, latest_time(), {}});
       }
+      const Cycles limit =
+          std::min(limits.cycles, real_time_.from_reference(limits.reference_cycles));
       const Cycles now = runner == nullptr ? event : std::min(runner->time(), event);
-      if (now >= limits.cycles) {
-        return stopped({Stop::cycle_limit, 0, limits.cycles, {}});
+      if (now >= limit) {
+        return stopped({Stop::cycle_limit, 0, limit, {}});
       }
       if (limits.cancelled && now >= next_question) {
         if (limits.cancelled(now)) {
@@ -197,8 +218,8 @@ class Machine::Implementation final : public core::SystemPort {
         continue;
       }
       running_ = runner;
-      runner->run(turn_of(
-          *runner, std::min({event, limits.cycles, limits.cancelled ? next_question : kNever})));
+      runner->run(
+          turn_of(*runner, std::min({event, limit, limits.cancelled ? next_question : kNever})));
     }
   }
 
@@ -235,6 +256,8 @@ class Machine::Implementation final : public core::SystemPort {
   Peripherals& peripherals() { return bus_.peripherals(); }
   memory::MemorySystem& memory() { return memory_; }
   [[nodiscard]] const CounterRegistry& counters() const { return counters_; }
+  [[nodiscard]] const ClockLog& clocks() const { return clocks_; }
+  [[nodiscard]] Cycles reference_time(Cycles time) const { return real_time_.to_reference(time); }
 
  private:
   // "core_b in census (0xffa00010, census.c:12)", "mdma1_0".
@@ -314,15 +337,84 @@ class Machine::Implementation final : public core::SystemPort {
     return std::max(cores_[0]->time(), cores_[1]->time());
   }
 
+  // Whether a change that waits for IDLE need not wait any longer.
+  [[nodiscard]] bool idle_for_clocks() {
+    const bool both = description_.pll.both_cores_idle != 0 || bus_.pll().will_stop_cores();
+    const auto idle = [this](std::size_t core) { return !active(*cores_[core]); };
+    return both ? idle(0) && idle(1) : idle(static_cast<std::size_t>(device_writer_));
+  }
+
+  void change_clock(const clock::OperatingPoint& point, clock::ClockRatio ratio, Cycles at) {
+    using clock::Mode;
+    const clock::OperatingPoint last = clocks_.history().segments().back().point;
+    for (const auto& core : cores_) {
+      core->settle(at);
+    }
+    if (last.mode == Mode::sleep) {
+      for (const auto& core : cores_) {
+        core->start_clock(at);
+      }
+    }
+    const clock::ClockChange change{.at = at,
+                                    .from = ratio_,
+                                    .to = ratio,
+                                    .from_hertz = whole_hertz(last.core_hertz),
+                                    .to_hertz = whole_hertz(point.core_hertz),
+                                    .core_mhz = point.core_hertz / 1e6,
+                                    .system_mhz = point.system_hertz / 1e6};
+    clocks_.change(at, point, work());
+    ratio_ = ratio;
+    real_time_.change(change);
+    memory_.change_clock(change);
+    bus_.change_clock(change);
+    if (point.mode == Mode::sleep) {
+      for (const auto& core : cores_) {
+        core->stop_clock(at);
+      }
+    } else if (last.mode == Mode::sleep) {
+      bus_.interrupts().tell_again(at);
+    } else if (point.mode == Mode::deep_sleep || point.mode == Mode::hibernate) {
+      power_down(point, at);
+    }
+  }
+
+  // Nothing but RESET ends it, and the run.
+  void power_down(const clock::OperatingPoint& point, Cycles at) {
+    const double microseconds = description_.pll.reset_after_us;
+    bus_.host().flush_line();
+    if (microseconds > 0) {
+      const auto cycles = static_cast<Cycles>(std::llround(microseconds * point.core_hertz / 1e6));
+      exit_ = StopInfo{Stop::exited, 0, at + cycles, {}};
+    } else {
+      exit_ = StopInfo{Stop::deadlock, 0, at,
+                       fmt::format("the chip is in {}, which only RESET ends: set "
+                                   "clock.reset_after_us to when the board pulls it",
+                                   clock::name_of(point.mode))};
+    }
+  }
+
+  [[nodiscard]] ChipWork work() const {
+    return {.cores = {cores_[0]->work(), cores_[1]->work()},
+            .external_transfers = memory_.external_transfers()};
+  }
+
+  static std::uint64_t whole_hertz(double hertz) {
+    return static_cast<std::uint64_t>(std::llround(hertz));
+  }
+
   StopInfo stopped(const StopInfo& info) {
     for (const auto& core : cores_) {
       core->settle(info.time);
     }
+    clocks_.settle(info.time, work());
     return info;
   }
 
   const ir::Image& image_;
+  const MachineDescription& description_;
   double core_hertz_;
+  clock::ClockRatio ratio_;
+  clock::RealTime real_time_;
   std::unique_ptr<ProgramHost> program_host_;
   std::unique_ptr<races::RaceDetector> races_;  // nullptr: nobody asked
   Cycles lookahead_;
@@ -330,6 +422,7 @@ class Machine::Implementation final : public core::SystemPort {
   memory::MemorySystem memory_;
   std::array<std::unique_ptr<core::Core>, kCoreCount> cores_;
   DeviceBus bus_;
+  ClockLog clocks_;
   CounterRegistry counters_;
   std::optional<StopInfo> exit_;
   core::Core* running_ = nullptr;
@@ -361,6 +454,8 @@ StopInfo Machine::run(const RunLimits& limits) {
     throw;
   }
 }
+const ClockLog& Machine::clocks() const { return implementation_->clocks(); }
+Cycles Machine::reference_time(Cycles time) const { return implementation_->reference_time(time); }
 const CounterRegistry& Machine::counters() const { return implementation_->counters(); }
 core::CoreProfile Machine::profile(CoreId core) const {
   return implementation_->core_at(static_cast<int>(core)).profile();

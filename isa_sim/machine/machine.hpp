@@ -2,8 +2,10 @@
 //
 // Models: actors (core A, core B, devices) ordered by (time, number). A core runs ahead on its
 // own L1 memory; at the first access that others can see it waits until everybody has reached that
-// time, so that results do not depend on the host. Does not model yet: power modes,
-// changes of clock (docs/architecture.md).
+// time, so that results do not depend on the host. Time is in core cycles, whatever their length:
+// when the program changes the clocks, what counts in other units is planned anew. Does not model:
+// the exact time of a change for the other core, which may have run ahead a few cycles in the
+// clock before (docs/architecture.md).
 #pragma once
 
 #include <functional>
@@ -27,6 +29,7 @@ class MemorySystem;
 
 namespace finback::machine {
 
+class ClockLog;
 class HostPort;
 struct RaceReport;
 class Peripherals;
@@ -42,6 +45,7 @@ enum class Stop : std::uint8_t {
 
 struct RunLimits {
   Cycles cycles = kNever;
+  Cycles reference_cycles = kNever;  // real time, in cycles of the clock at the start
   // Asked about every millisecond of simulated time; true stops the run (Ctrl-C, a progress bar's
   // owner).
   std::function<bool(Cycles now)> cancelled;
@@ -51,7 +55,8 @@ struct StopInfo {
   Stop reason = Stop::exited;
   std::uint32_t exit_status = 0;
   Cycles time = 0;
-  std::string message = {};  // why a program that ended itself did, where something went wrong
+  std::string message = {};  // why a program that ended itself did, where something went wrong; of
+                             // a deadlock, what makes it one, where that is not IDLE alone
 };
 
 // How core A begins.
@@ -94,6 +99,10 @@ class Machine {
 
   [[nodiscard]] const CounterRegistry& counters() const;
   [[nodiscard]] core::CoreProfile profile(CoreId core) const;
+  // Which clocks ran when, and what was done in each operating point, up to the stop.
+  [[nodiscard]] const ClockLog& clocks() const;
+  // A time from the last change of the clocks on, in cycles of the clock at the start: real time.
+  [[nodiscard]] Cycles reference_time(Cycles time) const;
   // What the data caches hid from somebody, a line for each combination of object and places, in
   // the order in which it happened first (memory_model/stale_watch.hpp).
   [[nodiscard]] std::vector<std::string> stale_reports() const;

@@ -8,8 +8,8 @@
 namespace finback::machine {
 
 std::vector<const ParameterBase*> MachineDescription::parameters() const {
-  const std::array<const ParameterGroup*, 7> groups = {&clock,       &memory, &dma, &devices,
-                                                       &peripherals, &camera, &core};
+  const std::array<const ParameterGroup*, 8> groups = {&clock,   &pll,         &memory, &dma,
+                                                       &devices, &peripherals, &camera, &core};
   std::vector<const ParameterBase*> all;
   for (const ParameterGroup* group : groups) {
     all.insert(all.end(), group->parameters().begin(), group->parameters().end());
@@ -18,8 +18,8 @@ std::vector<const ParameterBase*> MachineDescription::parameters() const {
 }
 
 std::vector<ParameterBase*> MachineDescription::parameters() {
-  const std::array<ParameterGroup*, 7> groups = {&clock,       &memory, &dma, &devices,
-                                                 &peripherals, &camera, &core};
+  const std::array<ParameterGroup*, 8> groups = {&clock,   &pll,         &memory, &dma,
+                                                 &devices, &peripherals, &camera, &core};
   std::vector<ParameterBase*> all;
   for (const ParameterGroup* group : groups) {
     all.insert(all.end(), group->parameters().begin(), group->parameters().end());

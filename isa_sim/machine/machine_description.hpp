@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include <clock_model/pll_parameters.hpp>
 #include <dma_model/dma_parameters.hpp>
 #include <isa_sim/core/core_parameters.hpp>
 #include <isa_sim/machine/device_parameters.hpp>
@@ -26,6 +27,7 @@ struct MachineDescription {
   std::string name = "bf561";
   memory::MemoryMap map = memory::bf561_map();
   memory::ClockParameters clock;
+  clock::PllParameters pll;
   memory::MemoryParameters memory;
   dma::DmaParameters dma;
   DeviceParameters devices;

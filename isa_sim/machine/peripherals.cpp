@@ -108,6 +108,21 @@ void Peripherals::drive_flags(const std::vector<PinChange>& changes) {
   }
 }
 
+void Peripherals::change_clock(const clock::ClockChange& change) {
+  for (ParallelPort& port : ports_) {
+    port.change_clock(change);
+  }
+  for (Watchdog& watchdog : watchdogs_) {
+    watchdog.change_clock(change);
+  }
+  for (Flags& flags : flags_) {
+    flags.change_clock(change);
+  }
+  uart_.change_clock(change);
+  timers8_.change_clock(change);
+  timers4_.change_clock(change);
+}
+
 void Peripherals::register_counters(CounterRegistry& registry) const {
   for (const ParallelPort& port : ports_) {
     port.register_counters(registry);

@@ -65,13 +65,15 @@ class Peripherals {
     return cameras_.at(static_cast<std::size_t>(side));
   }
   [[nodiscard]] peripheral::Uart& uart() { return uart_; }
-  // Drives flags that are inputs, in the order of time; before the run. Throws InputError for a pin
-  // that there is not.
+  // Drives flags that are inputs, in the order of time, in cycles of the clock at the start; before
+  // the run. Throws InputError for a pin that there is not.
   void drive_flags(const std::vector<peripheral::PinChange>& changes);
   // Gets every change of a flag that is an output.
   void set_flag_listener(std::function<void(const peripheral::PinChange&)> listener) {
     flag_listener_ = std::move(listener);
   }
+  // All of them, from now on.
+  void change_clock(const clock::ClockChange& change);
   void register_counters(CounterRegistry& registry) const;
 
  private:

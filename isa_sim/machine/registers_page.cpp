@@ -37,7 +37,8 @@ std::string registers_as_markdown() {
       "register of 16 bits reads with an upper half of 0. An access to anything else is a fault\n"
       "that names the nearest register. This page is generated from the devices' tables:\n"
       "`finback machine --registers` prints it. What they do: [devices.md](devices.md),\n"
-      "[cameras.md](cameras.md); the cores' own registers: [events.md](events.md).\n\n"
+      "[cameras.md](cameras.md), [clocks.md](clocks.md); the cores' own registers: "
+      "[events.md](events.md).\n\n"
       "| address | register | bytes |\n|---|---|---|\n";
   for (const DeviceMapping& mapping : mappings) {
     for (std::uint32_t offset = 0; offset < mapping.size; offset += 4) {

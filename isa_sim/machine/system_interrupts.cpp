@@ -74,10 +74,11 @@ const DeviceRegister* InterruptRegisters::find_register(std::uint32_t offset) co
   return finback::find_register(kRegisters, offset);
 }
 
-SystemInterrupts::SystemInterrupts(const DeviceParameters& parameters, Cycles ratio,
+SystemInterrupts::SystemInterrupts(const DeviceParameters& parameters, clock::ClockRatio ratio,
                                    Outputs outputs)
     : intercore_latency_(static_cast<Cycles>(parameters.intercore_latency)),
-      peripheral_latency_(static_cast<Cycles>(parameters.peripheral_latency) * ratio),
+      ratio_(ratio),
+      peripheral_latency_(static_cast<Cycles>(parameters.peripheral_latency)),
       outputs_(std::move(outputs)) {
   for (Controller& controller : controllers_) {
     for (int source = 0; source < kSourceCount; ++source) {
@@ -184,7 +185,7 @@ void SystemInterrupts::write_intercore(std::uint32_t value, Cycles now) {
 }
 
 void SystemInterrupts::set_core_line(int core, int source, bool level, Cycles now) {
-  set(core, source, level, now, peripheral_latency_);
+  set(core, source, level, now, ratio_.cycles(peripheral_latency_));
 }
 
 void SystemInterrupts::set_line(int source, bool level, Cycles now, unsigned driver) {
@@ -192,7 +193,7 @@ void SystemInterrupts::set_line(int source, bool level, Cycles now, unsigned dri
   const auto mine = static_cast<std::uint8_t>(1U << driver);
   drivers = static_cast<std::uint8_t>(level ? drivers | mine : drivers & ~mine);
   for (int core = 0; core < kCoreCount; ++core) {
-    set(core, source, drivers != 0, now, peripheral_latency_);
+    set(core, source, drivers != 0, now, ratio_.cycles(peripheral_latency_));
   }
 }
 
@@ -213,6 +214,31 @@ void SystemInterrupts::set(int core, int source, bool level, Cycles now, Cycles 
       return rise.core == core && rise.source == source;
     });
     update(core, now);
+  }
+  plan_next_event();
+}
+
+void SystemInterrupts::wake_up(int source, Cycles now) {
+  for (int core = 0; core < kCoreCount; ++core) {
+    const Controller& controller = controllers_[static_cast<std::size_t>(core)];
+    if (bit(controller.wake, source)) {
+      outputs_.lines_changed(core, controller.pending_ivg, true, now);
+      outputs_.lines_changed(core, controller.pending_ivg, controller.waking, now);
+    }
+  }
+}
+
+void SystemInterrupts::tell_again(Cycles now) {
+  for (int core = 0; core < kCoreCount; ++core) {
+    const Controller& controller = controllers_[static_cast<std::size_t>(core)];
+    outputs_.lines_changed(core, controller.pending_ivg, controller.waking, now);
+  }
+}
+
+void SystemInterrupts::change_clock(const clock::ClockChange& change) {
+  ratio_ = change.to;
+  for (Rise& rise : rises_) {
+    rise.at = change.system_time(rise.at);
   }
   plan_next_event();
 }

@@ -3,7 +3,8 @@
 // Models: 64 sources with masks, assignment to IVG7-15, wake-up masks; the two supplemental
 // interrupts of each core raised and acknowledged through SICB_SYSCR; release of core B through
 // SICA_SYSCR. A line that rises is seen by the core after a latency, one that falls at once. Does
-// not model: SWRST, RVECT, boot mode. Source: hardware.md 3.1 (default IVGs), 4.
+// not model: SWRST, RVECT, boot mode, the PLL's interrupt (its wake-up alone). Source:
+// hardware.md 3.1 (default IVGs), 4.
 #pragma once
 
 #include <array>
@@ -12,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include <clock_model/clock_ratio.hpp>
 #include <common/device.hpp>
 #include <common/units.hpp>
 #include <isa_sim/machine/device_parameters.hpp>
@@ -21,6 +23,7 @@ namespace finback::machine {
 
 // Numbers of the sources that the machine has.
 enum InterruptSource : int {
+  kPllWakeup = 0,
   kDma1Error = 1,
   kDma2Error = 2,
   kImdmaError = 3,
@@ -54,7 +57,7 @@ class SystemInterrupts {
     std::function<void(Cycles at)> core_b_released;
   };
 
-  SystemInterrupts(const DeviceParameters& parameters, Cycles ratio, Outputs outputs);
+  SystemInterrupts(const DeviceParameters& parameters, clock::ClockRatio ratio, Outputs outputs);
 
   // Registers of SICA (`core` 0) or SICB (`core` 1), by offset. Write throws GuestFault for ISR0
   // and ISR1.
@@ -66,6 +69,13 @@ class SystemInterrupts {
   void set_line(int source, bool level, Cycles now, unsigned driver = 0);
   // One that only `core` sees.
   void set_core_line(int core, int source, bool level, Cycles now);
+
+  // A source's line goes up for a moment, which only the wake-up masks notice.
+  void wake_up(int source, Cycles now);
+  // Tells the outputs again: the cores' clock stood still, and they have not listened.
+  void tell_again(Cycles now);
+  // Lines that are on their way go on in the new clocks.
+  void change_clock(const clock::ClockChange& change);
 
   // Told of lines that are raised and seen, from now on.
   void set_observer(memory::AccessObserver* observer) { observer_ = observer; }
@@ -98,7 +108,8 @@ class SystemInterrupts {
   void plan_next_event();
 
   Cycles intercore_latency_;
-  Cycles peripheral_latency_;
+  clock::ClockRatio ratio_;
+  Cycles peripheral_latency_;  // in SCLK
   Outputs outputs_;
   std::array<Controller, kCoreCount> controllers_;
   std::array<std::uint8_t, kSourceCount> drivers_{};  // bit by driver

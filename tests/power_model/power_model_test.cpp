@@ -103,6 +103,61 @@ TEST(CorePower, GivesTheFitsOfTheDataSheetPoints) {
   }
 }
 
+// Every mode takes less than the one before, and what stands still takes nothing.
+TEST(PowerModes, CostWhatStillRuns) {
+  const PowerParameters p;
+  Activity activity = typical_second();
+  activity.cores = {};
+  double before = estimate_power(p, typical_second()).watts;
+  for (const clock::Mode mode : {clock::Mode::full_on, clock::Mode::sleep, clock::Mode::deep_sleep,
+                                 clock::Mode::hibernate}) {
+    activity.mode = mode;
+    const PowerEstimate estimate = estimate_power(p, activity);
+    EXPECT_LT(estimate.watts, before) << clock::name_of(mode);
+    before = estimate.watts;
+    const bool core_runs = mode == clock::Mode::full_on;
+    const bool system_runs = core_runs || mode == clock::Mode::sleep;
+    EXPECT_EQ(find(estimate, "core_a.dynamic").watts > 0, core_runs);
+    EXPECT_EQ(find(estimate, "core.shared").watts > 0, core_runs);
+    EXPECT_EQ(find(estimate, "core.system_clock").watts > 0, system_runs);
+    EXPECT_EQ(find(estimate, "io.sdram_clock").watts > 0, system_runs);
+    EXPECT_EQ(find(estimate, "core.leakage").watts > 0, mode != clock::Mode::hibernate);
+  }
+  // Two devices in self-refresh, 75 % of 2.5 mA.
+  EXPECT_NEAR(find(estimate_power(p, activity), "sdram").amperes, 2 * 0.75 * 0.0025, 1e-9);
+}
+
+TEST(PowerModes, VoltageIsWhatSoftwareSetUnlessTheBoardFixesIt) {
+  PowerParameters p;
+  Activity activity = typical_second();
+  activity.core_hertz = 300e6;
+  activity.core_volts = 1.15;
+  EXPECT_EQ(estimate_power(p, activity).core_volts, 1.15);
+  activity.core_volts = 0;
+  EXPECT_EQ(estimate_power(p, activity).core_volts, 0.90);
+  p.core_volts.set(1.2);
+  activity.core_volts = 1.15;
+  EXPECT_EQ(estimate_power(p, activity).core_volts, 1.2);
+}
+
+TEST(PowerModes, TheAverageGoesByTime) {
+  const PowerParameters p;
+  Activity slow = typical_second();
+  slow.mode = clock::Mode::sleep;
+  const TimedEstimate work{estimate_power(p, typical_second()), 1};
+  const TimedEstimate sleep{estimate_power(p, slow), 3};
+  const PowerEstimate both = average(std::array{work, sleep});
+  EXPECT_NEAR(both.watts, (work.estimate.watts + 3 * sleep.estimate.watts) / 4, 1e-12);
+  EXPECT_NEAR(find(both, "core_a.dynamic").watts, find(work.estimate, "core_a.dynamic").watts / 4,
+              1e-12);
+  double sum = 0;
+  for (const PowerComponent& component : both.components) {
+    sum += component.watts;
+  }
+  EXPECT_NEAR(sum, both.watts, 1e-12);
+  EXPECT_EQ(average(std::array{work}).watts, work.estimate.watts);
+}
+
 TEST(CorePower, LeakageDoublesIn35Degrees) {
   PowerParameters cold;
   cold.junction_celsius.set(25);

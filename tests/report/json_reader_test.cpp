@@ -41,6 +41,41 @@ TEST(ReadResult, WithoutTruthGivesBackWhatWasWritten) {
   EXPECT_EQ(to_json(parse_result(text, "r.json")), text);
 }
 
+RunResult clocked_result() {
+  RunResult result = small_result();
+  const clock::OperatingPoint fast{clock::Mode::full_on, 600e6, 120e6, 1.3};
+  const clock::OperatingPoint slow{clock::Mode::full_on, 300e6, 100e6, 0.9};
+  result.clocks = clock::ClockHistory(fast);
+  result.clocks.change(result.cycles / 2, slow);
+  result.points = {{fast, result.cycles / 2, 0.01, 2.0}, {slow, result.cycles / 2, 0.02, 1.0}};
+  return result;
+}
+
+TEST(ReadResult, GivesBackTheClocks) {
+  const RunResult result = clocked_result();
+  EXPECT_DOUBLE_EQ(result.seconds(), static_cast<double>(result.cycles) / 400e6);
+  const std::string text = to_json(result);
+  const RunResult back = parse_result(text, "r.json");
+  EXPECT_EQ(to_json(back), text);
+  EXPECT_EQ(back.seconds(), result.seconds());
+}
+
+TEST(ReadResult, OfAnOlderVersionHasOneClock) {
+  ordered_json document = ordered_json::parse(to_json(small_result()));
+  document.erase("clocks");
+  const RunResult result = parse_result(document.dump(), "r.json");
+  EXPECT_FALSE(result.clocks.changed());
+  EXPECT_EQ(result.seconds(), small_result().seconds());
+}
+
+TEST(ReadResult, OfAnUnknownModeSaysSo) {
+  ordered_json document = ordered_json::parse(to_json(clocked_result()));
+  document["clocks"]["segments"][1]["mode"] = "turbo";
+  EXPECT_THAT([&] { (void)parse_result(document.dump(), "r.json"); },
+              testing::ThrowsMessage<InputError>(
+                  HasSubstr("clocks.segments[1].mode wants a mode such as full_on")));
+}
+
 TEST(ReadResult, OfNewerKeysPassesThemOver) {
   EXPECT_EQ(message_for([](ordered_json& d) { d["weather"] = "fine"; }), "");
 }

@@ -17,6 +17,7 @@ TEST(Metrics, HaveFlatNamesValuesAndUnits) {
   expect("frames_per_second", 24, "fps");
   expect("latency_seconds", 40e6 / 600e6, "s");
   expect("energy_per_frame_joules", small_result().power.watts / 24, "J");
+  expect("energy_joules", small_result().power.watts * small_result().seconds(), "J");
   expect("accuracy.bad_percent", 25, "%");
   expect("core_a.instructions", 60, "instructions");  // a counter
   expect("core_a.code.bytes", 90, "bytes");
