@@ -70,8 +70,6 @@ fs::path share_folder() {
                                program.string()));
 }
 
-fs::path library_folder() {
-  return share_folder().parent_path().parent_path() / "lib" / "finback";
-}
+fs::path library_folder() { return share_folder().parent_path().parent_path() / "lib" / "finback"; }
 
 }  // namespace finback
