@@ -6,6 +6,8 @@
 #include <llvm/IR/PatternMatch.h>
 #include <llvm/Transforms/Utils/ScalarEvolutionExpander.h>
 
+#include "../target/BfinMachineFunctionInfo.hpp"
+
 namespace finback::compiler {
 namespace {
 
@@ -187,6 +189,12 @@ FunctionCallee callee(Module& module) {
                                     word, word, word, word);
 }
 
+/// Is there anything in the frame that the bytes could be?
+bool has_locals(const Function& function) {
+  return any_of(function.getEntryBlock(),
+                [](const Instruction& inst) { return isa<AllocaInst>(inst); });
+}
+
 /// False: an operand cannot be had before the loop.
 bool replace(const Block& block, ScalarEvolution& scev) {
   Instruction* before = block.loop->getLoopPreheader()->getTerminator();
@@ -201,7 +209,9 @@ bool replace(const Block& block, ScalarEvolution& scev) {
     arguments.push_back(expander.expandCodeFor(operand, operand->getType(), before));
   IRBuilder<> builder(before);
   builder.SetCurrentDebugLocation(block.loop->getStartLoc());
-  Value* differences = builder.CreateCall(callee(*before->getModule()), arguments);
+  CallInst* differences = builder.CreateCall(callee(*before->getModule()), arguments);
+  differences->setCallingConv(kInRegisters);
+  differences->setTailCall(!has_locals(*before->getFunction()));
   Value* first = block.sum->getIncomingValueForBlock(block.loop->getLoopPreheader());
   Value* sum = builder.CreateAdd(first, differences);
   scev.forgetTopmostLoop(block.loop);

@@ -287,7 +287,9 @@ Writer::State Writer::write_strips(const State& first, Value* rounds) {
   left->addIncoming(rest, end);
   close(phis, next, end);
   BasicBlock* done = block("strips.done");
-  builder_.CreateCondBr(builder_.CreateICmpEQ(rest, builder_.getInt32(0)), done, strip);
+  // One strip is what most arrays have.
+  builder_.CreateCondBr(builder_.CreateICmpEQ(rest, builder_.getInt32(0)), done, strip,
+                        MDBuilder(context_).createBranchWeights(8, 1));
   builder_.SetInsertPoint(done);
   return next;
 }

@@ -92,6 +92,8 @@ bool uses_index_register(const MachineInstr& inst) {
 bool BfinIndexStreams::find(MachineBasicBlock& block, Loop& loop) {
   if (!block.isSuccessor(&block) || block.succ_size() != 2 || block.pred_size() != 2)
     return false;
+  if (any_of(kIndexRegisters, [&](MCPhysReg index) { return block.isLiveIn(index); }))
+    return false;  // an outer loop's
   for (const MachineInstr& inst : block)
     if (inst.isCall() || inst.isInlineAsm() || inst.isPosition() || uses_index_register(inst))
       return false;

@@ -13,6 +13,7 @@
 #include <llvm/CodeGen/MachineBlockFrequencyInfo.h>
 #include <llvm/CodeGen/MachineFunctionPass.h>
 #include <llvm/CodeGen/MachineInstrBuilder.h>
+#include <llvm/CodeGen/MachineLoopInfo.h>
 #include <llvm/CodeGen/MachineRegisterInfo.h>
 #include <llvm/InitializePasses.h>
 #include <map>
@@ -29,7 +30,7 @@
 namespace llvm {
 namespace {
 
-constexpr size_t kMostInstructions = 24;  // of a body: it stands twice afterwards
+constexpr size_t kMostInstructions = 64;  // of a body: it stands twice afterwards
 constexpr unsigned kMostCycles = 4;       // of one instruction, with what it waits for
 constexpr double kCyclesAround = 6;       // for a count that may be one
 constexpr double kCyclesAroundKnown = 2;
@@ -43,11 +44,13 @@ class BfinRotateLoops : public MachineFunctionPass {
   static char ID;
   BfinRotateLoops() : MachineFunctionPass(ID) {
     initializeMachineBlockFrequencyInfoWrapperPassPass(*PassRegistry::getPassRegistry());
+    initializeMachineLoopInfoWrapperPassPass(*PassRegistry::getPassRegistry());
   }
   StringRef getPassName() const override { return "Blackfin loop rotation"; }
   void getAnalysisUsage(AnalysisUsage& usage) const override {
     usage.addRequired<AAResultsWrapperPass>();
     usage.addRequired<MachineBlockFrequencyInfoWrapperPass>();
+    usage.addRequired<MachineLoopInfoWrapperPass>();
     MachineFunctionPass::getAnalysisUsage(usage);
   }
   bool runOnMachineFunction(MachineFunction& function) override;
@@ -58,7 +61,8 @@ class BfinRotateLoops : public MachineFunctionPass {
     MachineBasicBlock* before = nullptr;
     MachineBasicBlock* after = nullptr;
     MachineInstr* setup = nullptr;
-    std::vector<MachineInstr*> first;  // of each pass, the stage that runs a pass ahead
+    MachineBasicBlock* counted = nullptr;  // where one is taken off the count: it is known there
+    std::vector<MachineInstr*> first;      // of each pass, the stage that runs a pass ahead
     std::vector<MachineInstr*> second;
     std::vector<MachineInstr*> order;  // of both in the loop
     std::vector<IndexStream> streams;  // of pointers that move to I registers
@@ -66,6 +70,7 @@ class BfinRotateLoops : public MachineFunctionPass {
 
   bool find(MachineBasicBlock& block, Loop& loop) const;
   bool divide(Loop& loop) const;
+  MachineBasicBlock* place_of_count(const Loop& loop) const;
   bool pays(const Loop& loop, unsigned saved) const;
   bool values_stay_in_their_banks(const MachineBasicBlock& block) const;
   bool registers_suffice(const LoopDependences& loop, const ModuloSchedule& schedule,
@@ -89,6 +94,7 @@ class BfinRotateLoops : public MachineFunctionPass {
   const BfinInstrInfo* tii_ = nullptr;
   AAResults* aliases_ = nullptr;
   const MachineBlockFrequencyInfo* frequencies_ = nullptr;
+  const MachineLoopInfo* loops_ = nullptr;
 };
 
 char BfinRotateLoops::ID = 0;
@@ -114,7 +120,25 @@ bool BfinRotateLoops::find(MachineBasicBlock& block, Loop& loop) const {
   for (MachineInstr& inst : loop.before->terminators())
     if (inst.getOpcode() == Bfin::LOOPSETUP)
       loop.setup = &inst;
-  return loop.setup != nullptr && loop.before->succ_size() == 1 && divide(loop);
+  if (loop.setup == nullptr || loop.before->succ_size() != 1)
+    return false;
+  loop.counted = place_of_count(loop);
+  return divide(loop);
+}
+
+/// In front of all loops that find the same count.
+MachineBasicBlock* BfinRotateLoops::place_of_count(const Loop& loop) const {
+  const MachineInstr* count = regs_->getVRegDef(loop.setup->getOperand(1).getReg());
+  MachineBasicBlock* place = loop.before;
+  for (const MachineLoop* around = loops_->getLoopFor(place);
+       around != nullptr && !around->contains(count->getParent());
+       around = around->getParentLoop()) {
+    MachineBasicBlock* outside = around->getLoopPreheader();
+    if (outside == nullptr)
+      break;
+    place = outside;
+  }
+  return place;
 }
 
 /// Into stages. False: nothing would be won.
@@ -125,30 +149,33 @@ bool BfinRotateLoops::divide(Loop& loop) const {
       !values_stay_in_their_banks(*loop.block))
     return false;
   const std::vector<IndexStream> streams = index_streams(*loop.block);
-  const auto cycles = [&](unsigned stages, const std::vector<IndexStream>& indexed, unsigned most) {
-    return schedule_loop(dependences, *tii_, stages, most, indexed);
-  };
-  const unsigned alone = cycles(1, streams, kMostCycles * kMostInstructions).cycles;
+  const ModuloSchedule in_one =
+      schedule_loop(dependences, *tii_, 1, kMostCycles * kMostInstructions, streams,
+                    [](const ModuloSchedule&) { return true; });
+  const unsigned alone = in_one.cycles;
   if (alone < 2)
     return false;
-  ModuloSchedule schedule = cycles(2, streams, alone - 1);
+  const auto in_two = [&](const std::vector<IndexStream>& indexed, unsigned most) {
+    return schedule_loop(dependences, *tii_, 2, most, indexed, [&](const ModuloSchedule& found) {
+      return registers_suffice(dependences, found, indexed);
+    });
+  };
+  loop.streams = streams;
+  ModuloSchedule schedule = in_two(streams, alone - 1);
+  if (schedule.cycles == 0) {
+    loop.streams.clear();
+    schedule = in_two({}, alone - 1);
+  }
   if (schedule.cycles == 0)
     return false;
   // As few I registers as that takes.
-  loop.streams = streams;
-  for (const IndexStream& stream : streams) {
+  for (const IndexStream& stream : std::vector<IndexStream>(loop.streams)) {
     std::vector<IndexStream> fewer = loop.streams;
     llvm::erase_if(fewer, [&](const IndexStream& one) { return one.phi == stream.phi; });
-    if (ModuloSchedule other = cycles(2, fewer, schedule.cycles); other.cycles != 0) {
+    if (ModuloSchedule other = in_two(fewer, schedule.cycles); other.cycles != 0) {
       schedule = std::move(other);
       loop.streams = std::move(fewer);
     }
-  }
-  if (!registers_suffice(dependences, schedule, loop.streams)) {
-    loop.streams.clear();
-    schedule = cycles(2, loop.streams, alone - 1);
-    if (schedule.cycles == 0 || !registers_suffice(dependences, schedule, loop.streams))
-      return false;
   }
   if (!pays(loop, alone - schedule.cycles))
     return false;
@@ -192,7 +219,7 @@ bool BfinRotateLoops::registers_suffice(const LoopDependences& loop, const Modul
   const std::vector<MachineInstr*>& instructions = loop.instructions();
   for (size_t i = 0; i < instructions.size(); ++i)
     for (const MachineOperand& use : instructions[i]->all_uses()) {
-      if (!use.getReg().isVirtual())
+      if (!use.getReg().isVirtual() || use.isUndef())
         continue;
       Register reg = use.getReg();
       unsigned end = schedule.times[i];
@@ -287,7 +314,11 @@ void BfinRotateLoops::count_one_less(Loop& loop, MachineBasicBlock* last) {
   if (const std::optional<int64_t> known = passes(loop))
     tii_->buildConstant(before, loop.setup, loc, less, *known - 1);
   else
-    BuildMI(before, loop.setup, loc, tii_->get(Bfin::ADDI), less).addReg(count.getReg()).addImm(-1);
+    BuildMI(*loop.counted,
+            loop.counted == &before ? loop.setup : loop.counted->getFirstTerminator(), loc,
+            tii_->get(Bfin::ADDI), less)
+        .addReg(count.getReg())
+        .addImm(-1);
   regs_->clearKillFlags(count.getReg());
   count.setReg(less);
   count.setIsKill(false);
@@ -433,6 +464,7 @@ bool BfinRotateLoops::runOnMachineFunction(MachineFunction& function) {
   tii_ = function.getSubtarget<BfinSubtarget>().getInstrInfo();
   aliases_ = &getAnalysis<AAResultsWrapperPass>().getAAResults();
   frequencies_ = &getAnalysis<MachineBlockFrequencyInfoWrapperPass>().getMBFI();
+  loops_ = &getAnalysis<MachineLoopInfoWrapperPass>().getLI();
   std::vector<Loop> loops;
   for (MachineBasicBlock& block : function) {
     Loop loop;

@@ -4,7 +4,11 @@
 //   x = [p]; y = [p + 512]; p += 4    ->  x = [p++]; y = [q++]      (q = p + 512 before the loop)
 //
 // The addition is saved, far accesses get their short form, and I registers can serve them
-// (BfinIndexStreams). Looks at loops of one block, and, for one pointer at a time, at the other
+// (BfinIndexStreams). So do neighbours at a pointer that the loop loads or computes anew:
+//
+//   B[p] B[p + 1] B[p + 256] B[p + 257]  ->  q = p + 256; B[p++] B[p] B[q++] B[q]
+//
+// Looks at loops of one block, and, for one pointer at a time, at the other
 // blocks, before allocation, and changes a pointer only where all of its accesses fit. Accesses
 // change places where the steps want another order, if their addresses are known to be apart from
 // what stands between.
@@ -68,6 +72,10 @@ class BfinSteps : public MachineFunctionPass {
  private:
   bool run_on_loop(MachineBasicBlock& block, MachineBasicBlock& before);
   bool step_in_straight_code(MachineBasicBlock& block);
+  bool step_new_pointers(MachineBasicBlock& block, MachineBasicBlock& before);
+  bool find_runs(Register pointer, const MachineBasicBlock& block, std::vector<Run>& runs) const;
+  Register pointer_at(Register pointer, int64_t distance, MachineInstr& at,
+                      MachineBasicBlock& before);
   bool find(MachineInstr& phi, Pointer& pointer) const;
   bool find_accesses(Pointer& pointer) const;
   static bool split(std::vector<MachineInstr*> accesses, int64_t step, std::vector<Run>& runs);
@@ -78,6 +86,7 @@ class BfinSteps : public MachineFunctionPass {
   bool pays(const Pointer& pointer, size_t registers) const;
   void rewrite(const Pointer& pointer, MachineBasicBlock& before);
   void step(const Run& run, Register from, Register next);
+  void step(const Run& run, Register from);
 
   MachineRegisterInfo* regs_ = nullptr;
   const BfinInstrInfo* tii_ = nullptr;
@@ -274,6 +283,18 @@ void BfinSteps::rewrite(const Pointer& pointer, MachineBasicBlock& before) {
     step(*own, pointer.phi->getOperand(0).getReg(), next);
 }
 
+/// As above, but for the last access, behind which nothing wants the pointer.
+void BfinSteps::step(const Run& run, Register from) {
+  Run stepping = run;
+  MachineInstr* last = stepping.back();
+  stepping.pop_back();
+  const Register next = regs_->createVirtualRegister(&Bfin::PRegClass);
+  step(stepping, from, next);
+  last->getOperand(1).setReg(next);
+  last->getOperand(1).setIsKill(false);
+  last->getOperand(2).setImm(0);
+}
+
 bool BfinSteps::run_on_loop(MachineBasicBlock& block, MachineBasicBlock& before) {
   std::vector<Pointer> pointers;
   size_t registers = 0;
@@ -292,6 +313,83 @@ bool BfinSteps::run_on_loop(MachineBasicBlock& block, MachineBasicBlock& before)
       continue;
     registers += more;
     rewrite(pointer, before);
+    changed = true;
+  }
+  return changed;
+}
+
+/// Accesses of neighbours through a pointer that is new in each pass, where a step would make long
+/// ones short: B[p + 1] does not fit packets, B[p++] and B[p] do. False: something else wants it.
+bool BfinSteps::find_runs(Register pointer, const MachineBasicBlock& block,
+                          std::vector<Run>& runs) const {
+  if (regs_->getRegClass(pointer) == &Bfin::DRegClass)
+    return false;
+  Run accesses;
+  for (MachineInstr& use : regs_->use_nodbg_instructions(pointer)) {
+    if (form_of(use) == nullptr || use.getParent() != &block || !use.mayLoad() ||
+        !use.getOperand(1).isReg() || use.getOperand(1).getReg() != pointer ||
+        use.hasOrderedMemoryRef())
+      return false;
+    accesses.push_back(&use);
+  }
+  llvm::sort(accesses, [](const MachineInstr* a, const MachineInstr* b) {
+    return displacement(*a) < displacement(*b);
+  });
+  for (MachineInstr* access : accesses) {
+    const bool continues =
+        !runs.empty() && displacement(*access) ==
+                             displacement(*runs.back().back()) + form_of(*runs.back().back())->size;
+    if (!continues)
+      runs.emplace_back();
+    runs.back().push_back(access);
+  }
+  return all_of(runs, [&](const Run& run) {
+    return run.size() > 1 && any_of(run, [&](const MachineInstr* access) {
+             return tii_->getInstSizeInBytes(*access) > 2;
+           });
+  });
+}
+
+/// The pointer, further on by a constant.
+Register BfinSteps::pointer_at(Register pointer, int64_t distance, MachineInstr& at,
+                               MachineBasicBlock& before) {
+  if (distance == 0)
+    return pointer;
+  const DebugLoc& loc = at.getDebugLoc();
+  const Register amount = regs_->createVirtualRegister(&Bfin::DPRegClass);
+  const Register further = regs_->createVirtualRegister(&Bfin::DPRegClass);
+  tii_->buildConstant(before, before.getFirstTerminator(), loc, amount, distance);
+  BuildMI(*at.getParent(), at, loc, tii_->get(Bfin::ADD_X), further).addReg(pointer).addReg(amount);
+  regs_->clearKillFlags(pointer);
+  return further;
+}
+
+/// Pointers that a loop computes or loads in each pass.
+bool BfinSteps::step_new_pointers(MachineBasicBlock& block, MachineBasicBlock& before) {
+  std::vector<std::pair<Register, std::vector<Run>>> found;
+  size_t others = 0;  // what long accesses could have shared packets with
+  for (MachineInstr& inst : block) {
+    others += !inst.isPHI() && !inst.mayLoadOrStore() ? 1 : 0;
+    if (inst.isPHI() || inst.getNumExplicitDefs() == 0 || !inst.getOperand(0).getReg().isVirtual())
+      continue;
+    std::vector<Run> runs;
+    if (find_runs(inst.getOperand(0).getReg(), block, runs) && !runs.empty())
+      found.emplace_back(inst.getOperand(0).getReg(), std::move(runs));
+  }
+  bool changed = false;
+  for (auto& [pointer, runs] : found) {
+    size_t accesses = 0;
+    for (const Run& run : runs)
+      accesses += run.size();
+    if (others < accesses || !all_of(runs, [&](const Run& run) { return put_in_order(run); }))
+      continue;
+    MachineInstr* def = regs_->getVRegDef(pointer);
+    MachineInstr& behind = *std::next(def->getIterator());
+    std::vector<Register> starts;
+    for (const Run& run : runs)
+      starts.push_back(pointer_at(pointer, displacement(*run.front()), behind, before));
+    for (const auto& [run, start] : zip(runs, starts))
+      step(run, start);
     changed = true;
   }
   return changed;
@@ -333,6 +431,7 @@ bool BfinSteps::runOnMachineFunction(MachineFunction& function) {
     MachineBasicBlock& before = **find_if(
         block.predecessors(), [&](const MachineBasicBlock* other) { return other != &block; });
     changed |= run_on_loop(block, before);
+    changed |= step_new_pointers(block, before);
   }
   return changed;
 }

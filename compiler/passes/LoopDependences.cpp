@@ -88,7 +88,7 @@ LoopDependences::LoopDependences(MachineBasicBlock& block, AAResults& aliases)
 /// one register.
 void LoopDependences::add_values(size_t user) {
   for (const MachineOperand& use : instructions_[user]->all_uses()) {
-    if (!use.getReg().isVirtual())
+    if (!use.getReg().isVirtual() || use.isUndef())
       continue;
     int distance = 0;
     Register value = use.getReg();
@@ -106,8 +106,10 @@ void LoopDependences::add_values(size_t user) {
     const auto operand = static_cast<unsigned>(def->findRegisterDefOperandIdx(value, nullptr));
     const unsigned latency = BfinSubtarget::latency(*def, operand, *instructions_[user]);
     add(found->second, user, static_cast<int>(latency), distance);
+    // A sequence reads until its last part.
+    const int reads = static_cast<int>(BfinSubtarget::issueCycles(*instructions_[user])) - 1;
     if (found->second != user)
-      add(user, found->second, 0, 1 - distance);
+      add(user, found->second, reads, 1 - distance);
   }
 }
 

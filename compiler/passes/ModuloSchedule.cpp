@@ -1,6 +1,6 @@
 // For each number of cycles from the least that might do: the longest ways between instructions say
-// how far apart any two must be, and a search with backtracking places one after another, the one
-// with the least choice first, where packets have room. It gives up after some steps.
+// how far apart any two must be, and a search with backtracking places one after another, where
+// packets have room. It gives up after some steps, and begins again in another order.
 #include "ModuloSchedule.hpp"
 
 #include <optional>
@@ -14,13 +14,18 @@ namespace {
 constexpr unsigned kSteps = 2000;  // of the search, for each number of cycles
 constexpr int kNever = -1000000;
 
+/// In which order instructions are placed, and where each is tried first.
+enum class Order { kLeastChoiceEarly, kLeastChoiceLate, kProgramEarly, kProgramLate };
+
 class Search {
  public:
   Search(const LoopDependences& loop, const BfinInstrInfo& tii, unsigned cycles, unsigned stages,
          const std::vector<IndexStream>& streams);
 
+  /// Whether every circle fits the cycles.
+  bool prepare();
   /// The times; nothing where none was found.
-  std::optional<std::vector<unsigned>> run();
+  std::optional<std::vector<unsigned>> run(Order order);
 
  private:
   struct Window {
@@ -29,6 +34,7 @@ class Search {
   };
 
   bool find_distances();
+  [[nodiscard]] std::optional<size_t> next_to_place(const std::vector<Window>& windows) const;
   bool place_rest(const std::vector<Window>& windows);
   bool try_at(size_t i, int time, std::vector<Window> windows);
   bool has_room(size_t i, int time) const;
@@ -43,6 +49,7 @@ class Search {
   int cycles_;
   int last_time_;
   unsigned steps_ = kSteps;
+  Order order_ = Order::kLeastChoiceEarly;
   std::vector<unsigned> slots_of_;           // what each instruction can fill
   std::vector<std::vector<int>> distances_;  // from one to another, at least
   std::vector<std::optional<int>> times_;
@@ -124,15 +131,27 @@ bool Search::try_at(size_t i, int time, std::vector<Window> windows) {
   return false;
 }
 
-bool Search::place_rest(const std::vector<Window>& windows) {
+std::optional<size_t> Search::next_to_place(const std::vector<Window>& windows) const {
+  const auto choice = [&](size_t i) { return windows[i].latest - windows[i].earliest; };
+  const bool least_choice = order_ == Order::kLeastChoiceEarly || order_ == Order::kLeastChoiceLate;
   std::optional<size_t> next;
-  for (size_t i = 0; i < insts_.size(); ++i)
-    if (!times_[i] && (!next || windows[i].latest - windows[i].earliest <
-                                    windows[*next].latest - windows[*next].earliest))
+  for (size_t i = 0; i < insts_.size(); ++i) {
+    const bool better =
+        !next || (least_choice ? choice(i) < choice(*next) : order_ == Order::kProgramLate);
+    if (!times_[i] && better)
       next = i;
+  }
+  return next;
+}
+
+bool Search::place_rest(const std::vector<Window>& windows) {
+  const std::optional<size_t> next = next_to_place(windows);
   if (!next)
     return true;
-  for (int time = windows[*next].earliest; time <= windows[*next].latest; ++time) {
+  const auto [earliest, latest] = windows[*next];
+  const bool late = order_ == Order::kLeastChoiceLate || order_ == Order::kProgramLate;
+  for (int i = 0; i <= latest - earliest; ++i) {
+    const int time = late ? latest - i : earliest + i;
     if (!has_room(*next, time) || !stages_agree(*next, time))
       continue;
     if (steps_ == 0)
@@ -144,12 +163,18 @@ bool Search::place_rest(const std::vector<Window>& windows) {
   return false;
 }
 
-std::optional<std::vector<unsigned>> Search::run() {
+bool Search::prepare() {
   for (size_t i = 0; i < insts_.size(); ++i)
     if (length(i) > cycles_)
-      return std::nullopt;
-  if (!find_distances())
-    return std::nullopt;
+      return false;
+  return find_distances();
+}
+
+std::optional<std::vector<unsigned>> Search::run(Order order) {
+  order_ = order;
+  steps_ = kSteps;
+  times_.assign(insts_.size(), std::nullopt);
+  table_.assign(static_cast<size_t>(cycles_), {});
   std::vector<Window> windows(insts_.size(), {0, last_time_});
   for (size_t i = 0; i < insts_.size(); ++i)
     for (size_t j = 0; j < insts_.size(); ++j)
@@ -175,20 +200,46 @@ static bool is_allowed(const LoopDependences& loop, const ModuloSchedule& schedu
          });
 }
 
+/// What there is one of in each packet takes as many cycles.
+static unsigned least_cycles(const LoopDependences& loop, const BfinInstrInfo& tii) {
+  unsigned cycles = 0;
+  for (const MachineInstr* inst : loop.instructions()) {
+    const unsigned slot = slot_of(*inst, tii);
+    if (slot == BfinII::kDspSlot || slot == BfinII::kAlone)
+      cycles += BfinSubtarget::issueCycles(*inst);
+  }
+  return std::max(cycles, 1U);
+}
+
+/// The times as a schedule; cycles are 0 where stages do not allow it.
+static ModuloSchedule begun_early(const LoopDependences& loop, const std::vector<unsigned>& times,
+                                  unsigned cycles, unsigned stages) {
+  const unsigned first = *std::min_element(times.begin(), times.end());
+  // Where the second stage begins is free; it shall begin early, so that little runs ahead.
+  for (unsigned shift = stages == 1 ? 1 : cycles; shift-- > 0;) {
+    ModuloSchedule schedule{cycles, {}};
+    for (const unsigned time : times)
+      schedule.times.push_back(time - first + shift);
+    if (is_allowed(loop, schedule, stages))
+      return schedule;
+  }
+  return {};
+}
+
 ModuloSchedule schedule_loop(const LoopDependences& loop, const BfinInstrInfo& tii, unsigned stages,
-                             unsigned most, const std::vector<IndexStream>& streams) {
-  for (unsigned cycles = 1; cycles <= most; ++cycles) {
-    const std::optional<std::vector<unsigned>> times =
-        Search(loop, tii, cycles, stages, streams).run();
-    if (!times)
+                             unsigned most, const std::vector<IndexStream>& streams,
+                             function_ref<bool(const ModuloSchedule&)> allowed) {
+  for (unsigned cycles = least_cycles(loop, tii); cycles <= most; ++cycles) {
+    Search search(loop, tii, cycles, stages, streams);
+    if (!search.prepare())
       continue;
-    const unsigned first = *std::min_element(times->begin(), times->end());
-    // Where the second stage begins is free; it shall begin early, so that little runs ahead.
-    for (unsigned shift = stages == 1 ? 1 : cycles; shift-- > 0;) {
-      ModuloSchedule schedule{cycles, {}};
-      for (const unsigned time : *times)
-        schedule.times.push_back(time - first + shift);
-      if (is_allowed(loop, schedule, stages))
+    for (const Order order : {Order::kLeastChoiceEarly, Order::kProgramEarly, Order::kProgramLate,
+                              Order::kLeastChoiceLate}) {
+      const std::optional<std::vector<unsigned>> times = search.run(order);
+      if (!times)
+        continue;
+      ModuloSchedule schedule = begun_early(loop, *times, cycles, stages);
+      if (schedule.cycles != 0 && allowed(schedule))
         return schedule;
     }
   }
@@ -198,12 +249,15 @@ ModuloSchedule schedule_loop(const LoopDependences& loop, const BfinInstrInfo& t
 std::vector<size_t> kernel_order(const LoopDependences& loop, const ModuloSchedule& schedule) {
   const size_t count = loop.instructions().size();
   const auto stage = [&](size_t i) { return schedule.in_first_stage(i) ? 0 : 1; };
-  // Of one cycle, what overwrites its operands comes last: the others read them, too.
+  // Of one cycle, what overwrites its operands comes last: the others read them, too. A sequence,
+  // which reads until its last part, stands there: what issues beside it gets registers apart.
   const auto place = [&](size_t i) {
     const MachineInstr& inst = *loop.instructions()[i];
+    const unsigned last =
+        schedule.times[i] % schedule.cycles + BfinSubtarget::issueCycles(inst) - 1;
     const auto overwritten =
         count_if(inst.all_uses(), [](const MachineOperand& use) { return use.isTied(); });
-    return std::pair(schedule.times[i] % schedule.cycles, overwritten);
+    return std::pair(std::min(last, schedule.cycles - 1), overwritten);
   };
   std::vector<size_t> order;
   std::vector<bool> placed(count, false);

@@ -15,10 +15,12 @@ struct ModuloSchedule {
   [[nodiscard]] bool in_first_stage(size_t i) const { return times[i] < cycles; }
 };
 
-/// The shortest schedule with passes of at most `stages` (1 or 2) stages, of at most `most` cycles,
-/// and the pointers of `streams` in I registers; cycles are 0 where there is none.
+/// The shortest schedule that `allowed` takes, with passes of at most `stages` (1 or 2) stages, of
+/// at most `most` cycles, and the pointers of `streams` in I registers; cycles are 0 where there is
+/// none.
 ModuloSchedule schedule_loop(const LoopDependences& loop, const BfinInstrInfo& tii, unsigned stages,
-                             unsigned most, const std::vector<IndexStream>& streams);
+                             unsigned most, const std::vector<IndexStream>& streams,
+                             function_ref<bool(const ModuloSchedule&)> allowed);
 
 /// The order of the instructions within the loop: by their cycle in it, what reads first in each.
 std::vector<size_t> kernel_order(const LoopDependences& loop, const ModuloSchedule& schedule);

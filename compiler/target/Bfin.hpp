@@ -34,12 +34,18 @@ FunctionPass* createBfinRotateLoops();
 FunctionPass* createBfinFetches();
 /// Gives every virtual register its bank, data or pointer, where the copies cost least.
 FunctionPass* createBfinBankSelect();
+/// Before allocation: short loops of products within others, written out.
+FunctionPass* createBfinUnrollLoops();
 /// Spares the zero before each count of ones in a loop.
 FunctionPass* createBfinKeptHalves();
+/// Pointers that outer loops go on with stay in the I registers of inner ones.
+FunctionPass* createBfinKeptIndices();
 /// After allocation and layout: writes LSETUP and its labels.
 FunctionPass* createBfinLoopLayout();
 /// After allocation: pointers of small loops in I registers, for two accesses a packet.
 FunctionPass* createBfinIndexStreams();
+/// After allocation: several rounds at a time of loops that look for something.
+FunctionPass* createBfinSearchLoops();
 /// After allocation: the final order of each block, in packets.
 FunctionPass* createBfinPackets();
 /// Shorter forms and the branch predictions.

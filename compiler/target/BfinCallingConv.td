@@ -7,6 +7,11 @@ def CC_Bfin : CallingConv<[
   CCAssignToStack<4, 4>
 ]>;
 
+// Units of the runtime that only compiled code calls, all in registers (kInRegisters).
+def CC_BfinInRegisters : CallingConv<[
+  CCIfType<[i32], CCAssignToReg<[R0, R1, R2, R3, P0, P1]>>
+]>;
+
 def RetCC_Bfin : CallingConv<[
   CCIfType<[i1, i8, i16], CCPromoteToType<i32>>,
   CCIfType<[i32], CCAssignToReg<[R0, R1]>>

@@ -16,6 +16,22 @@ namespace {
 constexpr unsigned kHomeBytes = 12;  // the caller's room for R0..R2
 constexpr MCPhysReg kArgumentRegisters[] = {Bfin::R0, Bfin::R1, Bfin::R2};
 
+CCAssignFn* places_of(CallingConv::ID convention) {
+  return convention == kInRegisters ? CC_BfinInRegisters : CC_Bfin;
+}
+
+/// Whether a call in return position may be a jump: the callee then returns to our caller, finds
+/// our arguments' homes at its own place (where variadic functions keep theirs), and nothing of
+/// ours above them.
+bool may_jump(const TargetLowering::CallLoweringInfo& call, SDValue callee,
+              ArrayRef<CCValAssign> places, const MachineFunction& function) {
+  const bool direct = isa<GlobalAddressSDNode>(callee) || isa<ExternalSymbolSDNode>(callee);
+  return call.IsTailCall && !call.IsVarArg && !function.getFunction().isVarArg() && direct &&
+         !isInterruptHandler(function.getFunction()) &&
+         none_of(call.Outs, [](const ISD::OutputArg& out) { return out.Flags.isByVal(); }) &&
+         all_of(places, [](const CCValAssign& place) { return place.isRegLoc(); });
+}
+
 }  // namespace
 
 SDValue BfinTargetLowering::LowerFormalArguments(SDValue chain, CallingConv::ID convention,
@@ -67,12 +83,13 @@ SDValue BfinTargetLowering::LowerCall(CallLoweringInfo& call,
   SelectionDAG& dag = call.DAG;
   const SDLoc& loc = call.DL;
   MachineFunction& function = dag.getMachineFunction();
-  call.IsTailCall = false;
   SDValue chain = call.Chain;
   SDValue callee = call.Callee;
   if (auto* global = dyn_cast<GlobalAddressSDNode>(callee)) {
-    if (lowerNamedInstruction(global->getGlobal()->getName(), call, values, chain))
+    if (lowerNamedInstruction(global->getGlobal()->getName(), call, values, chain)) {
+      call.IsTailCall = false;
       return chain;
+    }
     callee = dag.getTargetGlobalAddress(global->getGlobal(), loc, MVT::i32, global->getOffset());
   } else if (auto* symbol = dyn_cast<ExternalSymbolSDNode>(callee)) {
     callee = dag.getTargetExternalSymbol(symbol->getSymbol(), MVT::i32);
@@ -81,9 +98,11 @@ SDValue BfinTargetLowering::LowerCall(CallLoweringInfo& call,
   SmallVector<CCValAssign, 16> places;
   CCState state(call.CallConv, call.IsVarArg, function, places, *dag.getContext());
   state.AllocateStack(kHomeBytes, Align(4));
-  state.AnalyzeCallOperands(call.Outs, CC_Bfin);
+  state.AnalyzeCallOperands(call.Outs, places_of(call.CallConv));
   unsigned bytes = static_cast<unsigned>(alignTo(state.getStackSize(), 4));
-  chain = dag.getCALLSEQ_START(chain, bytes, 0, loc);
+  call.IsTailCall = may_jump(call, callee, places, function);
+  if (!call.IsTailCall)
+    chain = dag.getCALLSEQ_START(chain, bytes, 0, loc);
 
   SmallVector<SDValue, 8> stores;
   SmallVector<std::pair<Register, SDValue>, 4> in_registers;
@@ -111,6 +130,12 @@ SDValue BfinTargetLowering::LowerCall(CallLoweringInfo& call,
   SmallVector<SDValue, 8> operands = {chain, callee};
   for (const auto& [reg, value] : in_registers)
     operands.push_back(dag.getRegister(reg, MVT::i32));
+  if (call.IsTailCall) {
+    if (glue)
+      operands.push_back(glue);
+    function.getFrameInfo().setHasTailCall();
+    return dag.getNode(BfinISD::TAILCALL, loc, MVT::Other, operands);
+  }
   const TargetRegisterInfo* registers = function.getSubtarget().getRegisterInfo();
   operands.push_back(dag.getRegisterMask(registers->getCallPreservedMask(function, call.CallConv)));
   if (glue)

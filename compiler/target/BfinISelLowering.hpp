@@ -11,6 +11,7 @@ namespace BfinISD {
 enum NodeType : unsigned {
   FIRST_NUMBER = ISD::BUILTIN_OP_END,
   CALL,
+  TAILCALL,
   RET,
   RETI,
   SYMBOL,

@@ -1,6 +1,7 @@
 #include "BfinInstrInfo.hpp"
 
 #include <llvm/Analysis/AliasAnalysis.h>
+#include <llvm/Analysis/CaptureTracking.h>
 #include <llvm/Analysis/ValueTracking.h>
 #include <llvm/CodeGen/MachineFrameInfo.h>
 #include <llvm/CodeGen/MachineFunction.h>
@@ -234,10 +235,18 @@ std::optional<SmallVector<const Value*, 4>> objects_of(const MachineInstr& acces
   return objects;
 }
 
+/// Whether a pointer that memory holds cannot lead to `object`: nobody has put its address there.
+bool is_out_of_reach(const Value& object, const Value& pointer) {
+  return isa<LoadInst>(pointer) && isIdentifiedFunctionLocal(&object) &&
+         !PointerMayBeCaptured(&object, /*ReturnCaptures=*/false, /*StoreCaptures=*/true);
+}
+
 /// As C's rules and restrict have it; the caller's pointers are no locals of the function.
 bool are_apart(const Value& a, const Value& b) {
   if (&a == &b)
     return false;
+  if (is_out_of_reach(a, b) || is_out_of_reach(b, a))
+    return true;
   return (isIdentifiedObject(&a) && isIdentifiedObject(&b)) ||
          (isIdentifiedFunctionLocal(&a) && isa<Argument>(b)) ||
          (isIdentifiedFunctionLocal(&b) && isa<Argument>(a));

@@ -16,6 +16,7 @@ def SDT_Result : SDTypeProfile<1, 0, [SDTCisVT<0, i32>]>;
 def SDT_Operand : SDTypeProfile<0, 1, [SDTCisVT<0, i32>]>;
 
 def bfin_call : SDNode<"BfinISD::CALL", SDT_Call, [SDNPHasChain, SDNPOptInGlue, SDNPOutGlue, SDNPVariadic]>;
+def bfin_tailcall : SDNode<"BfinISD::TAILCALL", SDT_Call, [SDNPHasChain, SDNPOptInGlue, SDNPVariadic]>;
 def bfin_ret : SDNode<"BfinISD::RET", SDTNone, [SDNPHasChain, SDNPOptInGlue, SDNPVariadic]>;
 def bfin_reti : SDNode<"BfinISD::RETI", SDTNone, [SDNPHasChain, SDNPOptInGlue, SDNPVariadic]>;
 def bfin_symbol : SDNode<"BfinISD::SYMBOL", SDT_Unary>;
@@ -395,7 +396,11 @@ def : Pat<(bfin_call texternalsym:$to), (CALL texternalsym:$to)>;
 let isReturn = true, isTerminator = true, isBarrier = true in {
   def RTS : BfinInst<2, (outs), (ins variable_ops), "RTS", [(bfin_ret)]>;
   def RTI : BfinInst<2, (outs), (ins variable_ops), "RTI", [(bfin_reti)]>;
+  let isCall = true, Uses = [SP] in
+  def TAILCALL : BfinInst<4, (outs), (ins Callee:$to, variable_ops), "JUMP $to">;
 }
+def : Pat<(bfin_tailcall tglobaladdr:$to), (TAILCALL tglobaladdr:$to)>;
+def : Pat<(bfin_tailcall texternalsym:$to), (TAILCALL texternalsym:$to)>;
 
 let Defs = [SP], Uses = [SP], hasSideEffects = true in {
   def ADJCALLSTACKDOWN : Pseudo<(outs), (ins i32imm:$n, i32imm:$m), [(callseq_start timm:$n, timm:$m)]>;

@@ -10,6 +10,9 @@ namespace llvm {
 /// The attribute that the driver puts on functions annotated "interrupt".
 inline constexpr const char* kInterruptAttribute = "bfin-interrupt";
 
+/// Calls whose arguments are all in registers: R0 to R3, P0, P1.
+inline constexpr CallingConv::ID kInRegisters = 1000;
+
 inline bool isInterruptHandler(const Function& function) {
   return function.hasFnAttribute(kInterruptAttribute);
 }

@@ -50,8 +50,11 @@ unsigned BfinSubtarget::latency(const MachineInstr& def, unsigned def_operand,
   if (address && (def.isCopy() || def.getOpcode() == Bfin::MOV) &&
       in_class(def.getOperand(1), Bfin::DRegClass, regs))
     return kDataToPointerLatency;
-  const unsigned after =
-      BfinII::readsEarly(use.getDesc()) && !def.mayLoad() ? kEarlyReadLatency : 1;
+  // The accumulators are read where they are written, behind the multipliers.
+  const bool accumulator =
+      result.isReg() && (result.getReg() == Bfin::A0 || result.getReg() == Bfin::A1);
+  const bool early = BfinII::readsEarly(use.getDesc()) && !def.mayLoad() && !accumulator;
+  const unsigned after = early ? kEarlyReadLatency : 1;
   return issueCycles(def) - 1 + after;
 }
 

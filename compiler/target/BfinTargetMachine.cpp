@@ -84,7 +84,9 @@ class BfinPassConfig : public TargetPassConfig {
   }
 
   void addPreRegAlloc() override {
+    addPass(createBfinUnrollLoops());
     addPass(createBfinRotateLoops());
+    addPass(createBfinKeptIndices());
     addPass(createBfinFetches());
     addPass(&OptimizePHIsID);
     addPass(&DeadMachineInstructionElimID);
@@ -92,6 +94,7 @@ class BfinPassConfig : public TargetPassConfig {
 
   void addPreEmitPass() override {
     addPass(createBfinIndexStreams());
+    addPass(createBfinSearchLoops());
     addPass(createBfinPackets());
     addPass(createBfinLoopLayout());
     addPass(createBfinLateForms());  // behind the layout, which writes branches anew

@@ -260,6 +260,67 @@ TEST_F(Quality, BranchesInHardwareLoopsArePredicted) {
   EXPECT_EQ(count(body, "(BP)"), 1) << body;
 }
 
+// Four rounds of a search, each with its question; what waits for another core's word stays.
+TEST_F(Quality, SearchesTakeFourRoundsAtATime) {
+  const std::string text = compile(
+      "int *f(int *p, int v) { while (*p < v) p++; return p; }\n"
+      "int *g(int *p, int v) { while (*(volatile int *)p < v) p++; return p; }\n");
+  const std::string body = function_of(text, "f");
+  EXPECT_EQ(count(body, "CC = "), 4) << body;
+  EXPECT_EQ(count(body, "(BP)"), 1) << body;
+  EXPECT_EQ(count(body, "IF !CC JUMP"), 3) << body;
+  EXPECT_EQ(count(function_of(text, "g"), "CC = "), 1) << text;
+}
+
+// A call in return position is a jump, but where arguments lie on the stack or point to it.
+TEST_F(Quality, LastCallsAreJumps) {
+  const std::string text = compile(
+      "int g(int a, int b), h(int a, int b, int c, int d), k(int *p);\n"
+      "int f(int a) { return g(a + 1, 2); }\n"
+      "int on_stack(int a) { return h(a, a, a, a); }\n"
+      "int of_local(int a) { return k(&a); }\n"
+      "int and_more(int a) { return g(a, a) + 1; }\n");
+  EXPECT_EQ(count(function_of(text, "f"), "JUMP _g"), 1) << text;
+  EXPECT_EQ(count(function_of(text, "f"), "LINK"), 0) << text;
+  EXPECT_EQ(count(function_of(text, "on_stack"), "CALL"), 1) << text;
+  EXPECT_EQ(count(function_of(text, "of_local"), "CALL"), 1) << text;
+  EXPECT_EQ(count(function_of(text, "and_more"), "CALL"), 1) << text;
+}
+
+// Four bytes at a pointer that the loop loads: two short steps, one addition; 16 operations.
+TEST_F(Quality, NeighboursAtALoadedPointerFitPackets) {
+  const Finished compiled =
+      cc({"-O2", "-o", "rectify.bir", FINBACK_SOURCE_DIR "/benchmarks/compiler/rectify_row.c"});
+  ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
+  const std::string loop = loop_of(function_of(read("rectify.bir"), "rectify_row"));
+  EXPECT_EQ(count(loop, ";"), 17) << loop;
+  EXPECT_EQ(count(loop, "257]"), 0) << loop;
+}
+
+// Butterflies in three packets; what the groups go on with stays in its I registers.
+TEST_F(Quality, PointersStayInTheirIRegisters) {
+  const Finished compiled =
+      cc({"-O2", "-o", "fft.bir", FINBACK_SOURCE_DIR "/benchmarks/compiler/fft256.c"});
+  ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
+  const std::string body = function_of(read("fft.bir"), "fft256");
+  const size_t inner = body.find("LC1 = ");
+  ASSERT_NE(inner, std::string::npos) << body;
+  const std::string loop = body.substr(inner, body.find(".LBB0_7:") - inner);
+  EXPECT_EQ(count(loop, ";"), 4) << "LSETUP and three packets\n" << loop;
+  const std::string group = body.substr(body.find(".LBB0_4:"), inner - body.find(".LBB0_4:"));
+  EXPECT_EQ(count(group, " I0 = ") + count(group, " I1 = "), 0) << group;
+}
+
+// Sixteen products of a pair of columns, without a loop of their own.
+TEST_F(Quality, ShortSumsAreWrittenOut) {
+  const Finished compiled =
+      cc({"-O2", "-o", "matrix.bir", FINBACK_SOURCE_DIR "/benchmarks/compiler/matrix_multiply.c"});
+  ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
+  const std::string body = function_of(read("matrix.bir"), "matrix_multiply");
+  const size_t pairs = body.rfind("LSETUP");
+  EXPECT_EQ(count(body.substr(pairs), "A1 += "), 16) << body;
+}
+
 // Two loops become a call; one whose sum is wanted in each round stays.
 TEST_F(Quality, SumsOfAbsoluteDifferencesAreOneCall) {
   const std::string text = compile(
@@ -269,7 +330,7 @@ TEST_F(Quality, SumsOfAbsoluteDifferencesAreOneCall) {
       "int until(const unsigned char *a, const unsigned char *b, int limit) {\n  int s = 0;\n"
       "  for (int x = 0; x < 16; x++)\n"
       "    if ((s += __builtin_abs(a[x] - b[x])) > limit) return x;\n  return s;\n}\n");
-  EXPECT_EQ(count(function_of(text, "block"), "CALL ___absolute_differences"), 1) << text;
+  EXPECT_EQ(count(function_of(text, "block"), "JUMP ___absolute_differences"), 1) << text;
   EXPECT_EQ(count(function_of(text, "block"), "LSETUP"), 0) << text;
   EXPECT_EQ(count(function_of(text, "until"), "CALL"), 0) << text;
 }
