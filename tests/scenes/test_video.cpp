@@ -46,7 +46,9 @@ class VideoTest : public testing::Test {
   // Video range, 16 to 235, becomes 0 to 255.
   static int grey(int y) { return static_cast<int>(std::lround((y - 16) * 255.0 / 219)); }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "finback_video";
+  fs::path folder_ = fs::path(testing::TempDir()) /
+                     (std::string("finback_video_") +
+                      testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(VideoTest, SideBySideIsSplitInTheMiddle) {

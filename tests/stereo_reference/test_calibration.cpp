@@ -132,12 +132,9 @@ struct Set {
   double most_rows;  // measured: 0.141 and 0.236
 };
 
-class CalibrationSet : public testing::TestWithParam<Set> {};
+constexpr Set kOpenCvSet = {"opencv_640x480", "left{:02}.png", "right{:02}.png", 1, 14, 0.25, 0.16};
 
-TEST_P(CalibrationSet, IsMeasuredWell) {
-  const auto& set = GetParam();
-  const std::filesystem::path folder = data_folder() / "calibration" / set.folder;
-  FINBACK_NEEDS_DATA(folder);
+BoardPairs boards_of(const Set& set, const std::filesystem::path& folder) {
   std::vector<std::string> left;
   std::vector<std::string> right;
   for (std::size_t i = 0; i < set.count; ++i) {
@@ -145,8 +142,17 @@ TEST_P(CalibrationSet, IsMeasuredWell) {
     left.push_back((folder / fmt::format(fmt::runtime(set.left), number)).string());
     right.push_back((folder / fmt::format(fmt::runtime(set.right), number)).string());
   }
+  return find_board_pairs(left, right, Board(), 2);
+}
+
+class CalibrationSet : public testing::TestWithParam<Set> {};
+
+TEST_P(CalibrationSet, IsMeasuredWell) {
+  const auto& set = GetParam();
+  const std::filesystem::path folder = data_folder() / "calibration" / set.folder;
+  FINBACK_NEEDS_DATA(folder);
   const Board board;
-  const BoardPairs found = find_board_pairs(left, right, board, 2);
+  const BoardPairs found = boards_of(set, folder);
   ASSERT_EQ(found.pairs.size(), set.count);
   EXPECT_THAT(found.left_out, testing::IsEmpty());
   const CalibrationFit fit = calibrate(found.pairs, board, found.width, found.height);
@@ -164,6 +170,18 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Set{"opencv_640x480", "left{:02}.png", "right{:02}.png", 1, 14, 0.25, 0.16},
                     Set{"usbcam_640x480", "left{:03}.jpg", "right{:03}.jpg", 0, 20, 0.5, 0.26}),
     [](const auto& set) { return std::string(set.param.folder); });
+
+// OpenCV's own calibration of these photographs' left camera, which comes with them
+// (left_intrinsics.yml): 13 of the photographs, that camera alone, one focal length, k3 not 0.
+TEST(CalibrationOfOpenCvsSet, IsNearItsOwn) {
+  const std::filesystem::path folder = data_folder() / "calibration" / kOpenCvSet.folder;
+  FINBACK_NEEDS_DATA(folder);
+  const BoardPairs found = boards_of(kOpenCvSet, folder);
+  const Intrinsics camera =
+      calibrate(found.pairs, Board(), found.width, found.height).calibration.left;
+  EXPECT_LT((camera.focal.array() - 535.916).abs().maxCoeff(), 535.916 / 100);
+  EXPECT_LT((camera.principal - Eigen::Vector2d(342.283, 235.571)).norm(), 2);
+}
 
 TEST(CalibrationFile, ReadsBackExactly) {
   StereoCalibration c = rig();

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/eigen.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include <common/error.hpp>
 #include <scenes/scene.hpp>
@@ -33,6 +34,18 @@ StereoCalibration rig(const Eigen::Vector3d& translation = {-28, 0.6, 1.1}) {
   c.right.distortion << -0.297, 0.121, -0.0003, 0.0009, 0;
   c.left_to_right = {{0.011, -0.034, 0.021}, translation};
   return c;
+}
+
+cv::Matx33d camera_matrix(const Intrinsics& camera) {
+  return {camera.focal.x(),
+          0,
+          camera.principal.x(),
+          0,
+          camera.focal.y(),
+          camera.principal.y(),
+          0,
+          0,
+          1};
 }
 
 // A point of the left camera's space as a rectified camera sees it.
@@ -83,25 +96,55 @@ TEST_P(RectifiedRig, SeesAPointInOneRow) {
 
 TEST_P(RectifiedRig, HasOpenCvsRotations) {
   const StereoCalibration c = GetParam() ? rig({0.7, -31, 1.4}) : rig();
-  const auto matrix = [](const Intrinsics& camera) {
-    return cv::Matx33d(camera.focal.x(), 0, camera.principal.x(), 0, camera.focal.y(),
-                       camera.principal.y(), 0, 0, 1);
-  };
   const auto distortion = [](const Intrinsics& camera) {
     return std::vector<double>(camera.distortion.data(), camera.distortion.data() + 5);
   };
   cv::Mat rotation, translation, left, right, left_projection, right_projection, depth;
   cv::eigen2cv(rodrigues(c.left_to_right.rotation).matrix, rotation);
   cv::eigen2cv(c.left_to_right.translation, translation);
-  cv::stereoRectify(matrix(c.left), distortion(c.left), matrix(c.right), distortion(c.right),
-                    cv::Size(c.width, c.height), rotation, translation, left, right,
-                    left_projection, right_projection, depth);
+  cv::stereoRectify(camera_matrix(c.left), distortion(c.left), camera_matrix(c.right),
+                    distortion(c.right), cv::Size(c.width, c.height), rotation, translation, left,
+                    right, left_projection, right_projection, depth);
   const RectifiedPair pair = rectify(c);
   Eigen::Matrix3d expected;
   cv::cv2eigen(left, expected);
   EXPECT_LT((pair.left_rotation - expected).norm(), 1e-9);
   cv::cv2eigen(right, expected);
   EXPECT_LT((pair.right_rotation - expected).norm(), 1e-9);
+}
+
+// Where each rectified pixel lies, and the picture that comes of it: cv::remap knows 32 places
+// between two pixels, so that it is off by some greys at edges.
+TEST_P(RectifiedRig, HasOpenCvsPictures) {
+  const StereoCalibration c = GetParam() ? rig({0.7, -31, 1.4}) : rig();
+  const RectifiedPair pair = rectify(c);
+  cv::Mat rotation, columns, rows, expected;
+  cv::eigen2cv(pair.left_rotation, rotation);
+  const std::vector<double> distortion(c.left.distortion.data(), c.left.distortion.data() + 5);
+  cv::initUndistortRectifyMap(camera_matrix(c.left), distortion, rotation, camera_matrix(pair.left),
+                              cv::Size(c.width, c.height), CV_32FC1, columns, rows);
+  const PixelMap map = pixel_map(c.left, pair.left_rotation, pair.left, c.width, c.height);
+  ByteImage image = scenes::make_synthetic_scene().left;
+  cv::remap(cv::Mat(c.height, c.width, CV_8UC1, image.data()), expected, columns, rows,
+            cv::INTER_LINEAR);
+  const ByteImage picture = remap(image, map);
+  double off = 0;
+  double greys = 0;
+  int seen = 0;
+  for (int y = 0; y < c.height; ++y) {
+    for (int x = 0; x < c.width; ++x) {
+      const Eigen::Vector2d source = map.sources.col(Index{y} * c.width + x);
+      off = std::max({off, std::abs(source.x() - double{columns.at<float>(y, x)}),
+                      std::abs(source.y() - double{rows.at<float>(y, x)})});
+      if (source.minCoeff() >= 0 && source.x() <= c.width - 1 && source.y() <= c.height - 1) {
+        greys += std::abs(int{picture.at(x, y)} - int{expected.at<std::uint8_t>(y, x)});
+        ++seen;
+      }
+    }
+  }
+  EXPECT_LT(off, 1e-3) << "pixels";
+  EXPECT_GT(seen, c.width * c.height * 8 / 10);
+  EXPECT_LT(greys / seen, 0.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(SideBySideAndAbove, RectifiedRig, testing::Bool());
