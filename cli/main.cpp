@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <cli/commands.hpp>
@@ -15,7 +16,30 @@ namespace {
 
 using namespace finback::cli;
 
-// What is wrong with the command line; a command that does not exist gets the nearest that does.
+// The first option of argv[next] and on that `command` does not have, with the nearest that it has;
+// "" when it has all.
+std::string unknown_option(const CLI::App& command, const std::string& words, int next, int argc,
+                           char** argv) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      known.push_back("--" + name);
+    }
+  }
+  for (int i = next; i < argc && std::string_view(argv[i]) != "--"; ++i) {
+    const std::string_view word = argv[i];
+    const std::string name(word.substr(0, word.find('=')));
+    if (name.starts_with("--") && command.get_option_no_throw(name) == nullptr) {
+      const std::string near = finback::nearest_name(name, known);
+      return fmt::format("{}has no option {}{}", words.empty() ? "finback " : words, name,
+                         near.empty() ? "" : fmt::format(", did you mean {}?", near));
+    }
+  }
+  return "";
+}
+
+// What is wrong with the command line; a command or an option that does not exist gets the nearest
+// that does.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int argc,
                           char** argv) {
   // The innermost command that was understood, and the word behind it.
@@ -32,6 +56,10 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int
     known.push_back(command->get_name());
   }
   if (known.empty() || next >= argc || argv[next][0] == '-') {
+    const std::string unknown = unknown_option(*innermost, words, next, argc, argv);
+    if (!unknown.empty()) {
+      return unknown;
+    }
     return known.empty() || next == 1
                ? error.what()
                : fmt::format("{}wants one of {}", words, fmt::join(known, ", "));

@@ -208,6 +208,17 @@ TEST_F(Errors, UnknownCommandNamesTheNearest) {
   EXPECT_THAT(far.err, HasSubstr("there is no command 'xyzzyplugh', but run, "));
 }
 
+TEST_F(Errors, UnknownOptionNamesTheNearest) {
+  const Finished near = finback({"run", "--frame", "1"});
+  EXPECT_EQ(near.exit_code, 1);
+  EXPECT_THAT(near.err, HasSubstr("run has no option --frame, did you mean --frames?"));
+  // ... also where the right one is required.
+  const Finished required = finback({"stereo", "match", "--left", "a", "--rigth=b"});
+  EXPECT_EQ(required.exit_code, 1);
+  EXPECT_THAT(required.err, HasSubstr("stereo match has no option --rigth, did you mean --right?"));
+  EXPECT_THAT(finback({"--xyzzyplugh"}).err, HasSubstr("finback has no option --xyzzyplugh ("));
+}
+
 TEST_F(Errors, MissedTargetWithCheckIsThree) {
   const std::vector<std::string> run = {
       "run",   "--scene", "synthetic", "--frames", "2", "--place", "core_b.shd_scores=l3",
