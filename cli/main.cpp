@@ -56,7 +56,7 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int
     known.push_back(command->get_name());
   }
   if (known.empty() || next >= argc || argv[next][0] == '-') {
-    const std::string unknown = unknown_option(*innermost, words, next, argc, argv);
+    std::string unknown = unknown_option(*innermost, words, next, argc, argv);
     if (!unknown.empty()) {
       return unknown;
     }
