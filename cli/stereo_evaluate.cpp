@@ -21,24 +21,27 @@ struct Options {
   int truth_scale = 1;
   int border = 0;
   double delta = 1;
+  bool scaled = false;  // as the listing of A.15: delta and errors in greys of the truth
 };
 
 int evaluate(const Options& options) {
   const scenes::ByteImage map = load_map(options.map, options.scale);
   const scenes::FloatImage truth = load_truth(options.truth, options.truth_scale);
   const Region region = inner_region(map.width(), map.height(), options.border);
+  const double unit = options.scaled ? options.truth_scale : 1;  // a pixel
+  const double delta = options.delta / unit;
   const MapQuality quality =
       options.mask.empty()
-          ? stereo_reference::evaluate(map, truth, region, options.delta)
-          : stereo_reference::evaluate(map, truth, region, scenes::load_luma(options.mask),
-                                       options.delta);
+          ? stereo_reference::evaluate(map, truth, region, delta)
+          : stereo_reference::evaluate(map, truth, region, scenes::load_luma(options.mask), delta);
   fmt::print("compared      {} pixels whose truth is known\n", quality.compared);
   fmt::print("no disparity  {:.2f} %\n",
              quality.compared == 0 ? 0.0 : 100.0 * quality.invalid / quality.compared);
   fmt::print("bad           {:.2f} % of all, {:.2f} % of those with a disparity\n",
              quality.bad_percent(), quality.wrong_percent());
-  fmt::print("RMS error     {:.3f} pixels, {:.3f} of those with a disparity\n", quality.rms_error,
-             quality.rms_error_valid);
+  fmt::print("RMS error     {:.3f} {}, {:.3f} of those with a disparity\n",
+             unit * quality.rms_error, options.scaled ? "greys" : "pixels",
+             unit * quality.rms_error_valid);
   return kFine;
 }
 
@@ -66,6 +69,8 @@ void add_stereo_evaluate(CLI::App& stereo, Action& action) {
   command->add_option("--delta", options->delta, "Bad is what is off by more pixels")
       ->type_name("D")
       ->capture_default_str();
+  command->add_flag("--scaled", options->scaled,
+                    "As the listing of A.15: --delta and errors in greys of the truth");
   command->footer(
       "Example: finback stereo evaluate --map map.png --truth disp1.png --truth-scale 3");
   command->callback([&action, options] { action = [options] { return evaluate(*options); }; });

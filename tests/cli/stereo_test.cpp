@@ -97,6 +97,18 @@ TEST_F(Stereo, MapStepByStep) {
   EXPECT_THAT(fine("evaluate --map truth.png" + truth), HasSubstr("bad           0.00 % of all"));
 }
 
+TEST_F(Stereo, ScaledErrorsAreInGreysOfTheTruth) {
+  scenes::write_png(ByteImage(8, 6, 10), folder() / "map.png");
+  scenes::write_png(ByteImage(8, 6, 42), folder() / "truth.png");
+  const std::string half_off = "evaluate --map map.png --truth truth.png --truth-scale 4";
+  EXPECT_THAT(fine(half_off), testing::AllOf(HasSubstr("bad           0.00 % of all"),
+                                             HasSubstr("RMS error     0.500 pixels")));
+  EXPECT_THAT(fine(half_off + " --scaled"),
+              testing::AllOf(HasSubstr("bad           100.00 % of all"),
+                             HasSubstr("RMS error     2.000 greys")));
+  EXPECT_THAT(fine(half_off + " --scaled --delta 2"), HasSubstr("bad           0.00 % of all"));
+}
+
 TEST_F(Stereo, OtherMethodsFindTheDisparities) {
   write_pair();
   for (const std::string method : {"rank3", "ncc"}) {
