@@ -24,6 +24,7 @@
 #include "../target/BfinInstrInfo.hpp"
 #include "../target/BfinMachineFunctionInfo.hpp"
 #include "../target/BfinSubtarget.hpp"
+#include "CountedLoop.hpp"
 #include "LoopPhis.hpp"
 #include "ModuloSchedule.hpp"
 
@@ -56,11 +57,7 @@ class BfinRotateLoops : public MachineFunctionPass {
   bool runOnMachineFunction(MachineFunction& function) override;
 
  private:
-  struct Loop {
-    MachineBasicBlock* block = nullptr;
-    MachineBasicBlock* before = nullptr;
-    MachineBasicBlock* after = nullptr;
-    MachineInstr* setup = nullptr;
+  struct Loop : CountedLoop {
     MachineBasicBlock* counted = nullptr;  // where one is taken off the count: it is known there
     std::vector<MachineInstr*> first;      // of each pass, the stage that runs a pass ahead
     std::vector<MachineInstr*> second;
@@ -109,18 +106,7 @@ Register BfinRotateLoops::incoming(const MachineInstr& phi, const MachineBasicBl
 }
 
 bool BfinRotateLoops::find(MachineBasicBlock& block, Loop& loop) const {
-  const auto end = block.getFirstTerminator();
-  if (end == block.end() || end->getOpcode() != Bfin::ENDLOOP ||
-      end->getOperand(0).getMBB() != &block || block.succ_size() != 2 || block.pred_size() != 2)
-    return false;
-  const auto is_other = [&](const MachineBasicBlock* other) { return other != &block; };
-  loop.block = &block;
-  loop.before = *find_if(block.predecessors(), is_other);
-  loop.after = *find_if(block.successors(), is_other);
-  for (MachineInstr& inst : loop.before->terminators())
-    if (inst.getOpcode() == Bfin::LOOPSETUP)
-      loop.setup = &inst;
-  if (loop.setup == nullptr || loop.before->succ_size() != 1)
+  if (!loop.find(block))
     return false;
   loop.counted = place_of_count(loop);
   return divide(loop);

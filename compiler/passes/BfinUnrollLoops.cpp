@@ -14,6 +14,7 @@
 #include "../target/Bfin.hpp"
 #include "../target/BfinInstrInfo.hpp"
 #include "../target/BfinSubtarget.hpp"
+#include "CountedLoop.hpp"
 #include "IndexForms.hpp"
 #include "LoopDependences.hpp"
 #include "LoopPhis.hpp"
@@ -39,11 +40,7 @@ class BfinUnrollLoops : public MachineFunctionPass {
   bool runOnMachineFunction(MachineFunction& function) override;
 
  private:
-  struct Loop {
-    MachineBasicBlock* block = nullptr;
-    MachineBasicBlock* before = nullptr;
-    MachineBasicBlock* after = nullptr;
-    MachineInstr* setup = nullptr;
+  struct Loop : CountedLoop {
     int64_t passes = 0;
   };
   using Registers = std::map<Register, Register>;
@@ -78,18 +75,7 @@ bool is_product(const MachineInstr& inst) {
 }
 
 bool BfinUnrollLoops::find(MachineBasicBlock& block, Loop& loop) const {
-  const auto end = block.getFirstTerminator();
-  if (end == block.end() || end->getOpcode() != Bfin::ENDLOOP ||
-      end->getOperand(0).getMBB() != &block || block.succ_size() != 2 || block.pred_size() != 2)
-    return false;
-  const auto is_other = [&](const MachineBasicBlock* other) { return other != &block; };
-  loop.block = &block;
-  loop.before = *find_if(block.predecessors(), is_other);
-  loop.after = *find_if(block.successors(), is_other);
-  for (MachineInstr& inst : loop.before->terminators())
-    if (inst.getOpcode() == Bfin::LOOPSETUP)
-      loop.setup = &inst;
-  if (loop.setup == nullptr || loop.before->succ_size() != 1)
+  if (!loop.find(block))
     return false;
   const std::optional<int64_t> known = passes(*loop.setup);
   const auto count = static_cast<size_t>(count_if(
