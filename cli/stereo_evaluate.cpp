@@ -13,6 +13,8 @@ namespace {
 
 using namespace stereo_reference;
 
+constexpr double kHair = 1e-3;  // greys
+
 struct Options {
   std::string map;
   std::string truth;
@@ -29,7 +31,8 @@ int evaluate(const Options& options) {
   const scenes::FloatImage truth = load_truth(options.truth, options.truth_scale);
   const Region region = inner_region(map.width(), map.height(), options.border);
   const double unit = options.scaled ? options.truth_scale : 1;  // a pixel
-  const double delta = options.delta / unit;
+  // Errors are whole greys then: a hair above decides nothing but what division has rounded.
+  const double delta = options.scaled ? (options.delta + kHair) / unit : options.delta;
   const MapQuality quality =
       options.mask.empty()
           ? stereo_reference::evaluate(map, truth, region, delta)

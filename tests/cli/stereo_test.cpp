@@ -107,6 +107,14 @@ TEST_F(Stereo, ScaledErrorsAreInGreysOfTheTruth) {
               testing::AllOf(HasSubstr("bad           100.00 % of all"),
                              HasSubstr("RMS error     2.000 greys")));
   EXPECT_THAT(fine(half_off + " --scaled --delta 2"), HasSubstr("bad           0.00 % of all"));
+  for (int disparity = 1; disparity < 80; disparity += 13) {  // one grey off, in thirds of a pixel
+    scenes::write_png(ByteImage(8, 6, static_cast<std::uint8_t>(disparity)), folder() / "map.png");
+    scenes::write_png(ByteImage(8, 6, static_cast<std::uint8_t>(3 * disparity + 1)),
+                      folder() / "truth.png");
+    EXPECT_THAT(fine("evaluate --map map.png --truth truth.png --truth-scale 3 --scaled"),
+                HasSubstr("bad           0.00 % of all"))
+        << disparity;
+  }
 }
 
 TEST_F(Stereo, OtherMethodsFindTheDisparities) {
