@@ -7,6 +7,9 @@
 static volatile struct dma_registers* destination_channel;
 static volatile struct dma_registers* source_channel;
 static volatile int transfer_under_way;
+/* Of memory_dma_copy_both. */
+static volatile struct dma_large_descriptor destination_list[2];
+static volatile struct dma_large_descriptor source_list[2];
 
 FINBACK_INTERRUPT static void transfer_done(void) {
   destination_channel->irq_status = DMA_DONE; /* written as 1 to withdraw the request */
@@ -49,6 +52,33 @@ void memory_dma_copy(void* destination, const void* source, unsigned bytes) {
   destination_channel->x_count = (uint16_t)(bytes >> log2);
   destination_channel->x_modify = (int16_t)(1 << log2);
   enable(log2 * WDSIZE_16); /* WDSIZE is the logarithm */
+}
+
+static void describe(volatile struct dma_large_descriptor* descriptor, const void* start,
+                     unsigned bytes, unsigned config) {
+  descriptor->start_addr = (void*)start;
+  descriptor->config = (uint16_t)(config | WDSIZE_32 | DMAEN);
+  descriptor->x_count = (uint16_t)(bytes / 4);
+  descriptor->x_modify = 4;
+}
+
+void memory_dma_copy_both(const struct memory_dma_piece pieces[2]) {
+  const unsigned followed = DMAFLOW_LARGE | NDSIZE(7); /* down to x_modify */
+
+  memory_dma_wait();
+  describe(&source_list[0], pieces[0].source, pieces[0].bytes, followed);
+  describe(&source_list[1], pieces[1].source, pieces[1].bytes, DMAFLOW_STOP);
+  describe(&destination_list[0], pieces[0].destination, pieces[0].bytes, followed | WNR);
+  describe(&destination_list[1], pieces[1].destination, pieces[1].bytes,
+           DMAFLOW_STOP | DI_EN | WNR);
+  source_list[0].next_desc_ptr = (void*)&source_list[1];
+  destination_list[0].next_desc_ptr = (void*)&destination_list[1];
+  source_channel->next_desc_ptr = (uint32_t)&source_list[0];
+  destination_channel->next_desc_ptr = (uint32_t)&destination_list[0];
+  transfer_under_way = 1;
+  __builtin_bfin_ssync();
+  source_channel->config = (uint16_t)(followed | WDSIZE_32 | DMAEN);
+  destination_channel->config = (uint16_t)(followed | WDSIZE_32 | WNR | DMAEN);
 }
 
 void memory_dma_gather(void* destination, const void* source, unsigned columns, unsigned rows,

@@ -11,6 +11,16 @@ void memory_dma_start(enum core core);
  * (at most 65536 of them). */
 void memory_dma_copy(void* destination, const void* source, unsigned bytes);
 
+/* Some bytes to copy: aligned to 4 bytes, and so many. */
+struct memory_dma_piece {
+  void* destination;
+  const void* source;
+  unsigned bytes;
+};
+
+/* Begins to copy two pieces, one behind the other: one transfer, which needs no core between. */
+void memory_dma_copy_both(const struct memory_dma_piece pieces[2]);
+
 /* Begins to gather `columns` x `rows` bytes: every `step`-th byte of every `step`-th row of an
  * image whose rows are `source_width` bytes long. */
 void memory_dma_gather(void* destination, const void* source, unsigned columns, unsigned rows,

@@ -4,8 +4,8 @@
 #include <events.h>
 #include <host_port.h>
 #include <memory_dma.h>
-#include <string.h>
 
+#include "rectify_stream.h"
 #include "shared_buffers.h"
 #include "stereo_config.h"
 
@@ -36,11 +36,8 @@ __attribute__((noinline)) void subsample_pair(int buffer) {
   memory_dma_wait();
 }
 
-/* The scenes come rectified, so the mapping is the identity; it ends where any other one would: in
- * the hand-over slot. */
 __attribute__((noinline)) void rectify_pair(int slot) {
-  memcpy(hand_over_left[slot], small_left, MAP_PIXELS);
-  memcpy(hand_over_right[slot], small_right, MAP_PIXELS);
+  rectify_pictures(small_left, small_right, hand_over_left[slot], hand_over_right[slot]);
 }
 
 /* Until core B has begun with the pair handed over last: a frame that is grabbed earlier only grows
@@ -61,6 +58,7 @@ int main(void) {
   memory_dma_start(CORE_A);
   core_interrupt_start(CORE_A);
   events_enable();
+  rectify_start();
   SICA_SYSCR &= ~COREB_SRAM_INIT; /* core B starts */
 
   while (acquire_frame((int)(frames % CAMERA_BUFFERS))) {

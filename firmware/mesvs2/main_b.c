@@ -6,8 +6,10 @@
 
 #include "census.h"
 #include "matching.h"
+#include "postprocess.h"
 #include "shared_buffers.h"
 #include "stereo_config.h"
+#include "variance.h"
 
 /* The map leaves L1 in bands: one is on its way while the next is computed. */
 #define BAND_ROWS 10
@@ -37,10 +39,26 @@ __attribute__((noinline)) void census_pair(void) {
   census_image(right_census);
 }
 
-__attribute__((noinline)) void match_band(int band) {
+/* Matches rows first to end - 1 and checks their views against each other. */
+__attribute__((noinline)) void match_rows(int first, int end) {
+  for (int y = first; y < end; ++y) {
+    match_row(left_census, right_census, y, checked_row(y));
+  }
+}
+
+/* Post-processing sees half a window below a row: matching is so far ahead. */
+__attribute__((noinline)) void map_band(int band) {
   uint8_t* row = disparity_bands[band % 2];
-  for (int y = band * BAND_ROWS; y < (band + 1) * BAND_ROWS; ++y) {
-    match_row(left_census, right_census, y, row);
+  int y = band * BAND_ROWS;
+  if (band == 0) {
+    match_rows(0, HALF_VARIANCE_WINDOW);
+  }
+  for (int end = y + BAND_ROWS; y < end; ++y) {
+    int lowest = y + HALF_VARIANCE_WINDOW;
+    if (lowest < MAP_HEIGHT) {
+      match_rows(lowest, lowest + 1);
+    }
+    post_process_row(y, row);
     row += MAP_WIDTH;
   }
 }
@@ -68,9 +86,10 @@ int main(void) {
     unsigned frame_number;
     wait_for_full_slot(slot);
     frame_number = receive_pair(slot);
+    find_plain_pixels(left_census); /* still greys */
     census_pair();
     for (int band = 0; band < BAND_COUNT; ++band) {
-      match_band(band);
+      map_band(band);
       output_map_band(band);
     }
     publish_map(frame_number);

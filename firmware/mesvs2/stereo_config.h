@@ -15,6 +15,23 @@
 #define DISPARITY_MAX 35
 #endif
 
+#ifndef LRC_THRESHOLD
+#define LRC_THRESHOLD 1 /* largest difference of the two views' disparities */
+#endif
+
+/* Equation 19: a disparity is given up where the picture's variance is at most TEXTURE_THRESHOLD
+ * (squared grey levels) and that of the disparities at least DISPARITY_THRESHOLD (squared pixels),
+ * both over the same window. */
+#ifndef VARIANCE_WINDOW
+#define VARIANCE_WINDOW 9 /* side, odd, 3 to 15 */
+#endif
+#ifndef TEXTURE_THRESHOLD
+#define TEXTURE_THRESHOLD 135
+#endif
+#ifndef DISPARITY_THRESHOLD
+#define DISPARITY_THRESHOLD 17
+#endif
+
 #define CAMERA_WIDTH 640
 #define CAMERA_HEIGHT 480
 #define SUBSAMPLING 4 /* every 4th pixel of every 4th row */
@@ -29,7 +46,5 @@
 #define FIRST_COLUMN (DISPARITY_MIN + HALF_WINDOW)
 #define LAST_COLUMN (MAP_WIDTH - 1 - HALF_WINDOW)
 #define COLUMN_COUNT (LAST_COLUMN - FIRST_COLUMN + 1)
-
-#define LRC_THRESHOLD 1 /* largest difference of the two views' disparities */
 
 #endif

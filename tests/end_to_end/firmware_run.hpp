@@ -8,6 +8,7 @@
 #include <runner/run_firmware.hpp>
 #include <scenes/scene.hpp>
 #include <stereo_reference/matching.hpp>
+#include <stereo_reference/texture.hpp>
 
 namespace finback {
 
@@ -23,9 +24,10 @@ namespace finback {
 
 // What the firmware must compute for `scene`.
 [[nodiscard]] inline std::vector<std::uint8_t> reference_map(const scenes::Scene& scene) {
-  return stereo_reference::disparity_map(stereo_reference::subsample_by_4(scene.left),
-                                         stereo_reference::subsample_by_4(scene.right), {})
-      .pixels();
+  const scenes::ByteImage left = stereo_reference::subsample_by_4(scene.left);
+  const scenes::ByteImage map =
+      stereo_reference::disparity_map(left, stereo_reference::subsample_by_4(scene.right), {});
+  return stereo_reference::post_process(map, left).pixels();
 }
 
 }  // namespace finback

@@ -1,10 +1,9 @@
 // The shipped firmware has no races, and one that is put into it is found.
 #include <filesystem>
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include "firmware_copy.hpp"
 #include "firmware_run.hpp"
 
 namespace finback {
@@ -32,38 +31,20 @@ TEST(Races, WatchingChangesNothing) {
   EXPECT_EQ(usual.result.counters, slower.result.counters);
 }
 
-// A copy of the firmware in which the map is published without waiting for its last band.
-class FirmwareWithoutAWait {
- public:
-  FirmwareWithoutAWait()
-      : folder_(fs::temp_directory_path() / fmt::format("finback-race-{}", ::getpid())) {
-    fs::remove_all(folder_);
-    fs::copy(share_folder() / "firmware" / "mesvs2", folder_);
-    const fs::path unit = folder_ / "main_b.bir";
-    std::string text = read_text_file(unit);
-    const std::string call = "CALL _memory_dma_wait;";
-    const std::size_t at = text.find(call, text.find("\n_publish_map:"));
-    if (at == std::string::npos) {
-      throw std::runtime_error("publish_map does not wait for DMA");
-    }
-    text.replace(at, call.size(), "NOP;");
-    write_file_whole(unit, text);
-  }
-  ~FirmwareWithoutAWait() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  FirmwareWithoutAWait(const FirmwareWithoutAWait&) = delete;
-  FirmwareWithoutAWait& operator=(const FirmwareWithoutAWait&) = delete;
-
-  [[nodiscard]] std::string path() const { return folder_.string(); }
-
- private:
-  fs::path folder_;
-};
+// The map is published without waiting for its last band.
+void forget_a_wait(const FirmwareCopy& copy) {
+  const fs::path unit = copy.folder() / "main_b.bir";
+  std::string text = read_text_file(unit);
+  const std::string call = "CALL _memory_dma_wait;";
+  const std::size_t at = text.find(call, text.find("\n_publish_map:"));
+  ASSERT_NE(at, std::string::npos) << "publish_map does not wait for DMA";
+  text.replace(at, call.size(), "NOP;");
+  write_file_whole(unit, text);
+}
 
 TEST(Races, AWaitThatWasForgottenIsFound) {
-  const FirmwareWithoutAWait broken;
+  const FirmwareCopy broken("race");
+  forget_a_wait(broken);
   runner::RunInputs inputs = mesvs2_inputs(scenes::make_synthetic_scene(), 2);
   inputs.firmware = runner::find_firmware(broken.path(), {});
   const runner::RunOutcome outcome = watched(std::move(inputs));

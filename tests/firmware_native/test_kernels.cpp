@@ -7,11 +7,16 @@
 #include <scenes/luma.hpp>
 #include <scenes/scene.hpp>
 #include <stereo_reference/matching.hpp>
+#include <stereo_reference/rectification.hpp>
+#include <stereo_reference/texture.hpp>
 
 extern "C" {
 #include "census.h"
 #include "matching.h"
+#include "postprocess.h"
+#include "rectify.h"
 #include "stereo_config.h"
+#include "variance.h"
 }
 
 namespace finback {
@@ -31,18 +36,25 @@ ByteImage random_image(std::mt19937& generator, unsigned levels) {
 
 // What core B makes of a rectified pair.
 ByteImage firmware_map(ByteImage left, ByteImage right) {
+  find_plain_pixels(left.data());
   census_image(left.data());
   census_image(right.data());
   ByteImage map(MAP_WIDTH, MAP_HEIGHT, 255);
+  int matched = 0;
   for (int y = 0; y < MAP_HEIGHT; ++y) {
-    match_row(left.data(), right.data(), y, &map.at(0, y));
+    for (; matched < std::min(y + HALF_VARIANCE_WINDOW + 1, MAP_HEIGHT); ++matched) {
+      match_row(left.data(), right.data(), matched, checked_row(matched));
+    }
+    post_process_row(y, &map.at(0, y));
   }
   return map;
 }
 
 void expect_equal(const ByteImage& left, const ByteImage& right) {
   const ByteImage map = firmware_map(left, right);
-  const ByteImage truth = stereo_reference::disparity_map(left, right, kParameters, LRC_THRESHOLD);
+  const ByteImage truth = stereo_reference::post_process(
+      stereo_reference::disparity_map(left, right, kParameters, LRC_THRESHOLD), left,
+      {VARIANCE_WINDOW, TEXTURE_THRESHOLD, DISPARITY_THRESHOLD});
   for (int y = 0; y < MAP_HEIGHT; ++y) {
     for (int x = 0; x < MAP_WIDTH; ++x) {
       ASSERT_EQ(map.at(x, y), truth.at(x, y)) << "column " << x << ", row " << y;
@@ -65,6 +77,47 @@ TEST(FirmwareKernels, MapsOfRandomImagesEqualTheReference) {
   for (const unsigned levels : {1U, 2U, 3U, 16U, 256U}) {
     expect_equal(random_image(generator, levels), random_image(generator, levels));
   }
+}
+
+// Sources everywhere, also outside the picture; corners and edges exactly.
+stereo_reference::RectificationTable random_table(std::mt19937& generator) {
+  stereo_reference::PixelMap map{MAP_WIDTH, MAP_HEIGHT, stereo_reference::Points2(2, MAP_PIXELS)};
+  std::uniform_real_distribution<double> x(-2, MAP_WIDTH + 1);
+  std::uniform_real_distribution<double> y(-2, MAP_HEIGHT + 1);
+  for (int i = 0; i < MAP_PIXELS; ++i) {
+    map.sources.col(i) = Eigen::Vector2d{x(generator), y(generator)};
+  }
+  map.sources.col(0) = Eigen::Vector2d{MAP_WIDTH - 1, MAP_HEIGHT - 1};
+  map.sources.col(1) = Eigen::Vector2d{0, MAP_HEIGHT - 1};
+  return stereo_reference::rectification_table(map);
+}
+
+TEST(FirmwareKernels, RectificationEqualsTheReference) {
+  std::mt19937 generator(24);
+  const ByteImage image = random_image(generator, 256);
+  const stereo_reference::RectificationTable table = random_table(generator);
+  std::vector<rectification_row> rows(MAP_HEIGHT);
+  for (std::size_t i = 0; i < MAP_PIXELS; ++i) {
+    rectification_row& row = rows[i / MAP_WIDTH];
+    row.source[i % MAP_WIDTH][0] = table.column[i];
+    row.source[i % MAP_WIDTH][1] = table.row[i];
+    std::copy(table.weights[i].begin(), table.weights[i].end(), row.weights[i % MAP_WIDTH]);
+  }
+  ByteImage rectified(MAP_WIDTH, MAP_HEIGHT);
+  rectify_rows(image.data(), rows.data(), MAP_HEIGHT, rectified.data());
+  EXPECT_EQ(rectified, stereo_reference::remap(image, table));
+}
+
+TEST(FirmwareKernels, TheIdentityRectifiesNothing) {
+  std::mt19937 generator(25);
+  const ByteImage image = random_image(generator, 256);
+  std::vector<rectification_row> rows(MAP_HEIGHT);
+  for (int y = 0; y < MAP_HEIGHT; ++y) {
+    identity_row(y, &rows[static_cast<std::size_t>(y)]);
+  }
+  ByteImage rectified(MAP_WIDTH, MAP_HEIGHT);
+  rectify_rows(image.data(), rows.data(), MAP_HEIGHT, rectified.data());
+  EXPECT_EQ(rectified, image);
 }
 
 TEST(FirmwareKernels, AFrameDoesNotDependOnTheOneBefore) {

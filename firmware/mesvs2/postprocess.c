@@ -1,0 +1,89 @@
+#include "postprocess.h"
+
+#include <string.h>
+
+#include "variance.h"
+
+/* One more row than the window has, so that the leaving one is still there; a power of two. */
+#define HISTORY_ROWS 16
+_Static_assert(HISTORY_ROWS > VARIANCE_WINDOW, "the leaving row is still there");
+_Static_assert(MAP_WIDTH % 32 == 0, "whole words of flags");
+#define FLAG_WORDS (MAP_WIDTH / 32)
+
+/* A bit for each window without texture, at its lower right pixel. */
+uint32_t plain_flags[MAP_HEIGHT][FLAG_WORDS];
+uint8_t checked_rows[HISTORY_ROWS][MAP_WIDTH];
+
+/* One bit for each variance of the row that is at most the threshold. */
+__attribute__((noinline)) void flag_plain_windows(uint32_t* flags) {
+  const uint32_t* variance = variance_row;
+  for (int word = 0; word < FLAG_WORDS; ++word) {
+    uint32_t bits = 0;
+    for (int x = 0; x < 32; ++x) {
+      bits = bits >> 1 | (uint32_t)(*variance++ <= SCALED_VARIANCE(TEXTURE_THRESHOLD)) << 31;
+    }
+    *flags++ = bits;
+  }
+}
+
+__attribute__((noinline)) void find_plain_pixels(const uint8_t* image) {
+  const uint8_t* leaving = image;
+  variance_start();
+  for (int y = 0; y < MAP_HEIGHT; ++y) {
+    if (y < VARIANCE_WINDOW) {
+      variance_enter_row(image, variance_no_row);
+    } else {
+      variance_enter_row(image, leaving);
+      leaving += MAP_WIDTH;
+    }
+    if (y >= VARIANCE_WINDOW - 1) {
+      flag_plain_windows(plain_flags[y]);
+      plain_flags[y][0] &= ~0u << (VARIANCE_WINDOW - 1); /* windows that begin left of the image */
+    }
+    image += MAP_WIDTH;
+  }
+}
+
+uint8_t* checked_row(int y) { return checked_rows[y % HISTORY_ROWS]; }
+
+/* Moves the windows down to a row of the checked map. */
+static void enter_checked_row(int y) {
+  variance_enter_row(checked_row(y),
+                     y < VARIANCE_WINDOW ? variance_no_row : checked_row(y - VARIANCE_WINDOW));
+}
+
+/* `disparities` belongs to the pixels at the centre of the windows. */
+static void drop_torn_pixels(const uint32_t* plain, uint8_t* disparities) {
+  const uint32_t* variances = variance_row;
+  uint8_t* corner = disparities - HALF_VARIANCE_WINDOW;
+  for (int word = 0; word < FLAG_WORDS; ++word) {
+    const uint32_t* variance = variances;
+    uint8_t* disparity = corner;
+    for (uint32_t flags = *plain++; flags != 0; flags >>= 1) {
+      if ((flags & 1) != 0 && *variance >= SCALED_VARIANCE(DISPARITY_THRESHOLD)) {
+        *disparity = 0;
+      }
+      ++variance;
+      ++disparity;
+    }
+    variances += 32;
+    corner += 32;
+  }
+}
+
+__attribute__((noinline)) void post_process_row(int y, uint8_t* disparities) {
+  int lowest = y + HALF_VARIANCE_WINDOW;
+  if (y == 0) {
+    variance_start();
+    for (int row = 0; row < HALF_VARIANCE_WINDOW; ++row) {
+      enter_checked_row(row);
+    }
+  }
+  memcpy(disparities, checked_row(y), MAP_WIDTH);
+  if (lowest < MAP_HEIGHT) {
+    enter_checked_row(lowest);
+    if (y >= HALF_VARIANCE_WINDOW) {
+      drop_torn_pixels(plain_flags[lowest], disparities);
+    }
+  }
+}
