@@ -61,6 +61,12 @@ void add_run_options(CLI::App& command, runner::RunRequest& request) {
       ->type_name("OWNER.NAME=REGION")
       ->allow_extra_args(false)
       ->group(kGroup);
+  command
+      .add_option("--flash", request.flash,
+                  "Put a file's bytes into flash; NAME: instead of the firmware's own; repeatable")
+      ->type_name("[NAME=]FILE[@ADDRESS]")
+      ->allow_extra_args(false)
+      ->group(kGroup);
   command.add_option("--power", request.power, "Power file (TOML): other numbers for the watts")
       ->group(kGroup);
   add_camera_options(command, request, kGroup);
@@ -102,6 +108,7 @@ runner::RunRequest with_given_options(const CLI::App& command, const runner::Run
   take("--placement", &runner::RunRequest::placement);
   take("--power", &runner::RunRequest::power);
   take("--max-seconds", &runner::RunRequest::max_seconds);
+  base.flash.insert(base.flash.end(), given.flash.begin(), given.flash.end());
   base.moves.insert(base.moves.end(), given.moves.begin(), given.moves.end());
   base.settings.insert(base.settings.end(), given.settings.begin(), given.settings.end());
   return base;

@@ -149,7 +149,9 @@ void MemorySide::fetch_descriptor(Cycles now) {
 
 void MemorySide::check(const memory::DmaRun& run, std::uint32_t element_bytes,
                        std::uint32_t register_offset) const {
-  std::string why = memory_.dma_fault(run, element_bytes);
+  const bool writes = register_offset == kCurrentAddress && channel_.writes_memory();
+  std::string why = memory_.dma_fault(run, element_bytes,
+                                      writes ? memory::Direction::write : memory::Direction::read);
   if (why.empty() && internal_ && memory_.map().find(run.address)->level == memory::Level::l3) {
     why = fmt::format("{:#010x}: IMDMA reaches L1 and L2 only; use MDMA1 or MDMA2", run.address);
   }

@@ -177,8 +177,7 @@ CacheLine& MemorySystem::fill_line(int core, const Span& span, Address address, 
   const Cycles start =
       std::max({now, cache.fill.done(), writes_back ? cache.write_back_done : now});
   result.stall = start - now;
-  cache.fill = span.level == Level::l3 ? sdram_.line_fill(address, start)
-                                       : l2_.line_fill(core, address, start);
+  cache.fill = line_fill(core, span.level, address, start);
   cache.critical = address;
   if (writes_back) {
     write_back(core, line, who, start, now, result);
@@ -200,13 +199,23 @@ CacheLine& MemorySystem::fill_line(int core, const Span& span, Address address, 
   return line;
 }
 
+LineFill MemorySystem::line_fill(int core, Level level, Address address, Cycles start) {
+  if (level == Level::l3) {
+    return is_asynchronous(address) ? async_.line_fill(address, start)
+                                    : sdram_.line_fill(address, start);
+  }
+  return l2_.line_fill(core, address, start);
+}
+
 // The whole line goes, be it for one byte.
 void MemorySystem::write_back(int core, CacheLine& line, Accessor who, Cycles start, Cycles now,
                               CachedAccess& result) {
   CoreCache& cache = caches_[static_cast<std::size_t>(core)];
   const Level level = find_any(line.address)->level;
-  cache.write_back_done = level == Level::l3 ? sdram_.line_write(line.address, start)
-                                             : l2_.line_write(core, line.address, start);
+  cache.write_back_done = level == Level::l2 ? l2_.line_write(core, line.address, start)
+                          : is_asynchronous(line.address)
+                              ? async_.posted_write(line.address, kLineBytes, start)
+                              : sdram_.line_write(line.address, start);
   std::memcpy(bytes_at(line.address, kLineBytes), line.bytes.data(), kLineBytes);
   if (line.stale != 0) {
     note(StaleKind::overwritten, line.address, who, line.stale_by, now);

@@ -30,8 +30,7 @@ Cycles MemorySystem::cached_fetch(int core, Level level, Address address, std::u
   } else {
     ++cache.code_misses;
     const Cycles start = std::max(now, cache.code_fill.done());
-    cache.code_fill =
-        level == Level::l3 ? sdram_.line_fill(address, start) : l2_.line_fill(core, address, start);
+    cache.code_fill = line_fill(core, level, address, start);
     cache.code_critical = address;
     cache.code.fill(address, important);
   }

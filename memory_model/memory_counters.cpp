@@ -147,7 +147,7 @@ void MemorySystem::register_counters(CounterRegistry& registry) const {
   registry.add("memory.sdram.refresh.events", "events",
                "Refreshes up to the last access to the SDRAM.", &sdram.refreshes);
   registry.add("memory.sdram.busy.cycles", "cycles", "Time that accesses held the external bus.",
-               &sdram.busy_cycles);
+               &bus_.busy_cycles());
   register_cache_counters(registry);
 }
 

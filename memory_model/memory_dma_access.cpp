@@ -38,7 +38,8 @@ void for_each_stretch(const DmaRun& run, std::uint32_t element_bytes, const Visi
 
 }  // namespace
 
-std::string MemorySystem::dma_fault(const DmaRun& run, std::uint32_t element_bytes) const {
+std::string MemorySystem::dma_fault(const DmaRun& run, std::uint32_t element_bytes,
+                                    Direction direction) const {
   const Region* region = map_.find(run.address);
   if (region == nullptr) {
     return fmt::format("{:#010x}: no memory is mapped there", run.address);
@@ -55,6 +56,12 @@ std::string MemorySystem::dma_fault(const DmaRun& run, std::uint32_t element_byt
                        static_cast<std::uint32_t>(past), region->name,
                        static_cast<std::uint32_t>(past < low ? low : high));
   }
+  if (region->level == Level::l3 && is_asynchronous(run.address) && !async_.enabled(run.address)) {
+    return fmt::format("{:#010x}: {}", run.address, async_.fault(run.address));
+  }
+  if (direction == Direction::write && region->read_only) {
+    return fmt::format("{:#010x}: {} is read-only", run.address, region->name);
+  }
   for (const std::int64_t end : {extent.low, extent.high}) {
     if (is_cache(*region, static_cast<Address>(end))) {
       return fmt::format("{:#010x}: DMA does not reach that part of {}, which is cache",
@@ -69,7 +76,7 @@ Cycles MemorySystem::dma_free_at(const Span& span) const {
     case Level::l2:
       return l2_.dma_free_at();
     case Level::l3:
-      return sdram_.dma_free_at();
+      return bus_.free_at();
     case Level::l1:
       break;
   }
@@ -77,11 +84,13 @@ Cycles MemorySystem::dma_free_at(const Span& span) const {
 }
 
 Cycles MemorySystem::dma_start(const Span& span, Direction direction, Cycles now) {
+  const bool write = direction == Direction::write;
   switch (span.level) {
     case Level::l2:
       return l2_.dma_start(now);
     case Level::l3:
-      return sdram_.dma_start(direction == Direction::write, now);
+      return is_asynchronous(span.base) ? async_.dma_start(write, span.base, now)
+                                        : sdram_.dma_start(write, now);
     case Level::l1:
       break;
   }
@@ -96,9 +105,13 @@ Cycles MemorySystem::dma_words(const Span& span, Direction direction, const DmaR
       return l2_.dma_words(static_cast<Address>(extent.low), static_cast<Address>(extent.high),
                            run.count, start);
     }
-    case Level::l3:
-      return sdram_.dma_words(direction == Direction::write, run.address, run.stride, run.count,
-                              element_bytes, start);
+    case Level::l3: {
+      const bool write = direction == Direction::write;
+      return is_asynchronous(run.address)
+                 ? async_.dma_words(write, run.address, run.count, element_bytes, start)
+                 : sdram_.dma_words(write, run.address, run.stride, run.count, element_bytes,
+                                    start);
+    }
     case Level::l1:
       break;
   }

@@ -71,6 +71,8 @@ void add_l1(MemoryMap& map, int core, Address base) {
 MemoryMap bf561_map() {
   MemoryMap map;
   map.regions.push_back(make_region("l3", 0, 64 * 1024, Level::l3, -1));
+  map.regions.push_back(make_region("flash", 0x20000000, 8 * 1024, Level::l3, -1));
+  map.regions.back().read_only = true;
   map.regions.push_back(make_region("l2", 0xFEB00000, 128, Level::l2, -1));
   for (Region& region : map.regions) {
     region.code = true;

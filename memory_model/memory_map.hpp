@@ -52,6 +52,7 @@ struct Region {
   bool code = false;              // instructions may be placed here
   bool data = false;              // objects and stacks may be placed here
   bool dma_reachable = true;      // scratchpad is not
+  bool read_only = false;         // stores and DMA cannot change it: flash
   std::uint32_t cache_bytes = 0;  // its last bytes, which can be a cache instead; L1 only
   // The first byte that can be cache.
   [[nodiscard]] Address cache_base() const { return base + (size - cache_bytes); }
@@ -72,10 +73,18 @@ struct MemoryMap {
   [[nodiscard]] std::vector<std::string> names(int core) const;
 };
 
-// The BF561 on the MESVS board, with 64 MB of SDRAM (hardware.md 2.1). The two 16 KB halves of L1
-// instruction memory do not touch: they are "l1.code" and "l1.code.cache". The halves of a data
-// bank do: "l1.data.a" (32 KB, 0xFF800000) is one region, since its SRAM half and its SRAM/cache
-// half are neighbours.
+// The four banks of asynchronous memory, 64 MB each from 0x20000000 on, which share the external
+// bus with the SDRAM: regions of L3 there are asynchronous.
+inline constexpr int kAsyncBanks = 4;
+[[nodiscard]] constexpr bool is_asynchronous(Address address) { return address >> 28U == 2; }
+[[nodiscard]] constexpr int async_bank(Address address) {
+  return static_cast<int>(address >> 26U & 3U);
+}
+
+// The BF561 on the MESVS board, with 64 MB of SDRAM and 8 MB of flash (hardware.md 2.1). The two 16
+// KB halves of L1 instruction memory do not touch: they are "l1.code" and "l1.code.cache". The
+// halves of a data bank do: "l1.data.a" (32 KB, 0xFF800000) is one region, since its SRAM half and
+// its SRAM/cache half are neighbours.
 [[nodiscard]] MemoryMap bf561_map();
 
 }  // namespace finback::memory

@@ -147,6 +147,10 @@ struct MemoryParameters final : ParameterGroup {
       this,
       {"memory.sdram.page_bytes", "bytes", 2048, 256, 65536, 'V', "hardware.md 2.4",
        "bytes of one row over the bus: 9 column bits on 32 bits"}};
+  IntegerParameter async_core_read_overhead_sclk{
+      this,
+      {"memory.async.core_read_overhead_sclk", "SCLK", 5, 0, 64, 'E', "hardware.md 2.4",
+       "added to a core's read of asynchronous memory: the same clock crossing as SDRAM's"}};
 };
 
 }  // namespace finback::memory

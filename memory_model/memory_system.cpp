@@ -11,10 +11,11 @@ namespace finback::memory {
 
 namespace {
 
+// Asynchronous memory apart, of which a machine has what its banks hold.
 const Region* only_region(const MemoryMap& map, Level level) {
   const Region* found = nullptr;
   for (const Region& region : map.regions) {
-    if (region.level == level) {
+    if (region.level == level && !is_asynchronous(region.base)) {
       if (found != nullptr) {
         throw InputError(fmt::format("regions {} and {} are both {}: a machine has at most one",
                                      found->name, region.name,
@@ -39,7 +40,8 @@ MemorySystem::MemorySystem(MemoryMap map, const MemoryParameters& parameters,
       imdma_overhead_(static_cast<Cycles>(parameters.imdma_overhead_cycles)),
       imdma_word_(static_cast<Cycles>(parameters.imdma_word_cycles)),
       l2_(parameters, ratio_, only_region(map_, Level::l2)),
-      sdram_(parameters, clock, only_region(map_, Level::l3)) {
+      sdram_(parameters, clock, only_region(map_, Level::l3), bus_),
+      async_(parameters, ratio_, bus_) {
   for (WriteBuffer& buffer : write_buffers_) {
     buffer.set_entries(static_cast<std::size_t>(parameters.write_buffer_entries));
   }
@@ -79,7 +81,9 @@ void MemorySystem::change_clock(const clock::ClockChange& change) {
     free_at = change.system_time(free_at);
   }
   l2_.change_clock(change);
+  bus_.change_clock(change);
   sdram_.change_clock(change);
+  async_.change_clock(change);
 }
 
 void MemorySystem::add_region_spans(std::size_t index, const std::vector<ObjectPlace>& places) {
@@ -145,6 +149,7 @@ void MemorySystem::add_span(std::size_t index, std::uint64_t base, std::uint64_t
   span.core = region.core;
   span.core_access = region.data || region.level != Level::l1;
   span.dma_reachable = region.dma_reachable;
+  span.read_only = region.read_only;
   span.region = static_cast<std::uint32_t>(index);
   span.object = object;
   if (region.level == Level::l1) {
@@ -202,6 +207,12 @@ std::string MemorySystem::core_fault(int core, Address address, int bytes, bool 
     return fmt::format("{}: {} is instruction memory, which loads and stores do not reach", access,
                        region->name);
   }
+  if (region->level == Level::l3 && is_asynchronous(address) && !async_.enabled(address)) {
+    return fmt::format("{}: {}", access, async_.fault(address));
+  }
+  if (write && region->read_only) {
+    return fmt::format("{}: {} is read-only", access, region->name);
+  }
   return "";
 }
 
@@ -223,6 +234,11 @@ Cycles MemorySystem::core_test_and_set(int core, Span* span, Address address, Cy
     throw GuestFault(fmt::format(
         "TESTSET at {:#010x}: a lock must lie in l2 or l3, L1 has no locked access", address));
   }
+  if (is_asynchronous(address)) {
+    throw GuestFault(fmt::format(
+        "TESTSET at {:#010x}: a lock must lie in l2 or in SDRAM, not in asynchronous memory",
+        address));
+  }
   const Cycles stall = span->level == Level::l2 ? l2_.locked_read_write(core, address, now)
                                                 : sdram_.locked_read_write(address, now);
   count(*span, core, Direction::read, 1, stall);
@@ -242,6 +258,10 @@ std::uint8_t* MemorySystem::bytes_at(Address address, std::uint32_t size) const 
 
 std::uint8_t* MemorySystem::host_access(Address address, std::uint32_t size, Direction direction) {
   std::uint8_t* bytes = bytes_at(address, size);
+  if (direction == Direction::write && map_.find(address)->read_only) {
+    throw InputError(fmt::format("{} bytes at {:#010x} cannot be written: {} is read-only", size,
+                                 address, map_.find(address)->name));
+  }
   if (watching_ && size > 0) {
     const Accessor host{};
     direction == Direction::write ? note_write(address, size, host)

@@ -22,6 +22,7 @@
 #include <common/memory_window.hpp>
 #include <common/units.hpp>
 #include <memory_model/access_observer.hpp>
+#include <memory_model/async_timing.hpp>
 #include <memory_model/clock_parameters.hpp>
 #include <memory_model/code_cache.hpp>
 #include <memory_model/data_cache.hpp>
@@ -54,8 +55,9 @@ struct Span {
   int core = -1;              // whose L1; -1: shared
   bool core_access = true;    // loads and stores of the owning core may touch it (not L1 code)
   bool dma_reachable = true;  // not the scratchpad
-  std::uint32_t region = 0;   // index into MemoryMap::regions
-  std::uint32_t object = 0;   // index into MemorySystem::objects()
+  bool read_only = false;
+  std::uint32_t region = 0;  // index into MemoryMap::regions
+  std::uint32_t object = 0;  // index into MemorySystem::objects()
   TrafficTable traffic{};
   MemoryWindow window;  // L1 only; its counts are core `core`'s direct accesses
 
@@ -99,6 +101,12 @@ class MemorySystem {
   // The span that holds `address` if loads and stores of `core` may touch it; nullptr when it is
   // unmapped, the other core's L1, or L1 instruction memory. Spans live as long as the system.
   [[nodiscard]] Span* find_span(int core, Address address);
+  // Whether an access to a span of find_span does not come about all the same: a store to memory
+  // that is read-only, or a bank of asynchronous memory that is not enabled.
+  [[nodiscard]] bool refuses(const Span& span, bool write) const {
+    return (write && span.read_only) ||
+           (span.level == Level::l3 && is_asynchronous(span.base) && !async_.enabled(span.base));
+  }
   // Why `core` cannot make this access: "store of 4 bytes at 0xff400000: ...". The caller adds who
   // and where. Covers misalignment too; empty when the access is fine.
   [[nodiscard]] std::string core_fault(int core, Address address, int bytes, bool write) const;
@@ -148,8 +156,11 @@ class MemorySystem {
   // --- instruction fetch from L2 and L3; L1's costs nothing here ---
   // `bytes`: a multiple of 8 from a multiple of it. Stall beyond the issue cycle.
   Cycles fetch_code(int core, Level level, Address address, std::uint32_t bytes, Cycles now) {
-    return level == Level::l3 ? sdram_.fetch(address, bytes, now)
-                              : l2_.fetch(core, address, bytes, now);
+    if (level == Level::l3) {
+      return is_asynchronous(address) ? async_.fetch(address, bytes, now)
+                                      : sdram_.fetch(address, bytes, now);
+    }
+    return l2_.fetch(core, address, bytes, now);
   }
   [[nodiscard]] bool default_code_cache() const { return default_code_cache_; }
   // The half of L1 instruction memory that can be cache becomes one, and empty, or memory again.
@@ -207,6 +218,7 @@ class MemorySystem {
 
   // --- the external port's registers ---
   [[nodiscard]] SdramTiming& sdram() { return sdram_; }
+  [[nodiscard]] AsyncTiming& asynchronous() { return async_; }
 
   // From now on. Posted writes and words in L1 that are on their way arrive as they would have.
   void change_clock(const clock::ClockChange& change);
@@ -216,7 +228,8 @@ class MemorySystem {
 
   // --- DMA ---
   // Why DMA cannot touch all of `run`, "0x...: ..."; empty when it can. A run lies in one region.
-  [[nodiscard]] std::string dma_fault(const DmaRun& run, std::uint32_t element_bytes) const;
+  [[nodiscard]] std::string dma_fault(const DmaRun& run, std::uint32_t element_bytes,
+                                      Direction direction) const;
   // Which port DMA meets `address` at: one of a core's L1, L2's, the external one; none where there
   // is no memory for it.
   [[nodiscard]] DmaPort dma_port(Address address);
@@ -271,7 +284,9 @@ class MemorySystem {
   }
   Cycles read_stall(int core, const Span& span, Address address, int bytes, Cycles now) {
     if (span.level == Level::l3) {
-      return sdram_.core_read(address, static_cast<std::uint32_t>(bytes), now);
+      const auto size = static_cast<std::uint32_t>(bytes);
+      return is_asynchronous(address) ? async_.core_read(address, size, now)
+                                      : sdram_.core_read(address, size, now);
     }
     return span.level == Level::l2 ? l2_.core_read(core, address, now) : 0;
   }
@@ -282,10 +297,15 @@ class MemorySystem {
     WriteBuffer& buffer = write_buffers_[static_cast<std::size_t>(core)];
     const Cycles stall = buffer.make_room(now);
     const Cycles start = buffer.next_start(now + stall);
-    buffer.push(span.level == Level::l3
-                    ? sdram_.posted_write(address, static_cast<std::uint32_t>(bytes), start)
-                    : l2_.posted_write(core, address, start));
+    buffer.push(arrival(core, span.level, address, static_cast<std::uint32_t>(bytes), start));
     return stall;
+  }
+  Cycles arrival(int core, Level level, Address address, std::uint32_t bytes, Cycles start) {
+    if (level == Level::l3) {
+      return is_asynchronous(address) ? async_.posted_write(address, bytes, start)
+                                      : sdram_.posted_write(address, bytes, start);
+    }
+    return l2_.posted_write(core, address, start);
   }
 
   // A core's data cache, its fill buffer (one line) and its victim buffer (another).
@@ -317,6 +337,7 @@ class MemorySystem {
                        CachedAccess& result);
   void write_back(int core, CacheLine& line, Accessor who, Cycles start, Cycles now,
                   CachedAccess& result);
+  LineFill line_fill(int core, Level level, Address address, Cycles start);
   void count_line(int core, Direction direction, Address address);
   void note_stored(int core, const CacheLine& line, LineBytes bytes);
   void note(StaleKind kind, Address address, Accessor reader, Accessor other, Cycles now);
@@ -363,7 +384,9 @@ class MemorySystem {
   std::array<Cycles, kCoreCount> l1_dma_free_at_{};
   std::array<WriteBuffer, kCoreCount> write_buffers_;
   L2Timing l2_;
+  ExternalBus bus_;
   SdramTiming sdram_;
+  AsyncTiming async_;
 };
 
 }  // namespace finback::memory

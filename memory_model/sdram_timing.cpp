@@ -8,8 +8,8 @@
 namespace finback::memory {
 
 SdramTiming::SdramTiming(const MemoryParameters& parameters, const ClockParameters& clock,
-                         const Region* region)
-    : ratio_(clock.ratio()) {
+                         const Region* region, ExternalBus& bus)
+    : bus_(bus), ratio_(clock.ratio()) {
   const auto sclk = [](std::int64_t number) { return static_cast<Cycles>(number); };
   read_overhead_ = sclk(parameters.sdram_core_read_overhead_sclk);
   read_hold_ = sclk(parameters.sdram_core_read_hold_sclk);
@@ -78,8 +78,6 @@ void SdramTiming::derive() {
 void SdramTiming::change_clock(const clock::ClockChange& change) {
   ratio_ = change.to;
   derive();
-  free_at_ = change.system_time(free_at_);
-  bus_from_ = change.system_time(bus_from_);
   next_refresh_ = change.system_time(next_refresh_);
   if (change.from != change.to) {
     refresh_period_ = std::max<Cycles>(1, ratio_.cycles(change.from.left(refresh_period_)));
@@ -89,13 +87,15 @@ void SdramTiming::change_clock(const clock::ClockChange& change) {
 Cycles SdramTiming::refresh(Cycles start) {
   const std::uint64_t due = (start - next_refresh_) / refresh_period_ + 1;
   const Cycles last_due = next_refresh_ + (due - 1) * refresh_period_;
-  const Cycles done = std::max(last_due, free_at_) + refresh_;
+  const Cycles done = std::max(last_due, bus_.free_at()) + refresh_;
   next_refresh_ = last_due + refresh_period_;
   counters_.refreshes += due;
   for (Bank& bank : banks_) {
     bank.row = kNoRow;
   }
-  return std::max(start, done);
+  const Cycles from = std::max(start, done);
+  bus_.delay_to(from);
+  return from;
 }
 
 Cycles SdramTiming::dma_start(bool write, Cycles now) {

@@ -14,6 +14,7 @@
 #include <clock_model/clock_ratio.hpp>
 #include <common/units.hpp>
 #include <memory_model/clock_parameters.hpp>
+#include <memory_model/external_bus.hpp>
 #include <memory_model/line_fill.hpp>
 #include <memory_model/memory_map.hpp>
 #include <memory_model/memory_parameters.hpp>
@@ -25,7 +26,6 @@ struct SdramCounters {
   std::uint64_t row_hits = 0;
   std::uint64_t row_misses = 0;  // the bank had another row open, or none
   std::uint64_t refreshes = 0;   // that an access came upon or after; idle tails do not count
-  Cycles busy_cycles = 0;        // bus reserved by accesses
 };
 
 // What software can change of an SDRAM's time, in SCLK.
@@ -38,7 +38,7 @@ class SdramTiming {
  public:
   // `region`: where the SDRAM lies; nullptr for a machine without one.
   SdramTiming(const MemoryParameters& parameters, const ClockParameters& clock,
-              const Region* region);
+              const Region* region, ExternalBus& bus);
 
   // A read of up to 32 bits: stall beyond the issue cycle `now`.
   Cycles core_read(Address address, std::uint32_t bytes, Cycles now) {
@@ -53,17 +53,17 @@ class SdramTiming {
   // Arrival of a line out of a cache, which may start at `start`.
   Cycles line_write(Address address, Cycles start) {
     release(open_for_write(address, acquire(start)), ratio_.cycles(beats(kLineBytes) * write_));
-    return free_at_;
+    return bus_.free_at();
   }
   // Arrival of a write of up to 32 bits that may start at `start`.
   Cycles posted_write(Address address, std::uint32_t bytes, Cycles start) {
     release(open_for_write(address, acquire(start)), ratio_.cycles(beats(bytes) * write_));
-    return free_at_;
+    return bus_.free_at();
   }
   // A read and a completed write with the bus kept: time until the write has arrived.
   Cycles locked_read_write(Address address, Cycles now) {
     release(open_for_read(address, acquire(now)), 2 * core_read_);
-    return free_at_ - now;
+    return bus_.free_at() - now;
   }
   // Instructions: stall beyond the issue cycle.
   Cycles fetch(Address address, std::uint32_t bytes, Cycles now) {
@@ -73,7 +73,6 @@ class SdramTiming {
     return start + core_read_ + further - now - 1;
   }
 
-  [[nodiscard]] Cycles dma_free_at() const { return free_at_; }
   // A DMA burst: when its first word can pass, if its row is open.
   Cycles dma_start(bool write, Cycles now);
   // `count` elements of `bytes`, `stride` bytes apart, starting at `start`; returns when the last
@@ -109,18 +108,10 @@ class SdramTiming {
 
   // The bus from `now` on, behind those who have it and behind a refresh that is due.
   Cycles acquire(Cycles now) {
-    Cycles start = std::max(now, free_at_);
-    if (start >= next_refresh_) {
-      start = refresh(start);
-    }
-    bus_from_ = start;
-    return start;
+    const Cycles start = bus_.acquire(now);
+    return start < next_refresh_ ? start : refresh(start);
   }
-  void release(Cycles start, Cycles duration) {
-    free_at_ = start + duration;
-    counters_.busy_cycles += free_at_ - bus_from_;
-    bus_from_ = free_at_;
-  }
+  void release(Cycles start, Cycles duration) { bus_.hold_until(start + duration); }
   Cycles open_for_read(Address address, Cycles now) { return open(address, now, 0); }
   Cycles open_for_write(Address address, Cycles now) { return open(address, now, twr_); }
   // When the row of `address` is open, asked for at `now`; `before_close` is the write recovery.
@@ -142,6 +133,7 @@ class SdramTiming {
   Cycles refresh(Cycles start);
   void derive();
 
+  ExternalBus& bus_;
   SdramSettings settings_;
   clock::ClockRatio ratio_;
   Cycles read_overhead_;  // of cores, besides CL; in SCLK
@@ -163,8 +155,6 @@ class SdramTiming {
   std::uint32_t bank_bytes_;
   int page_shift_;
   std::vector<Bank> banks_;
-  Cycles free_at_ = 0;
-  Cycles bus_from_ = 0;
   Cycles next_refresh_;
   bool last_dma_write_ = false;
   SdramCounters counters_;

@@ -55,8 +55,8 @@ fs::path firmware_file(const std::string& name) {
 }
 
 // Identifies a firmware by all BIR, assembler and TOML files of its folder, in the order of their
-// names.
-std::string firmware_hash(const fs::path& file) {
+// names, and by what it puts into flash.
+std::string firmware_hash(const fs::path& file, const std::vector<ir::FlashFile>& flash) {
   if (file.filename() != kManifest) {
     return report::content_hash(read_text_file(file));
   }
@@ -73,6 +73,9 @@ std::string firmware_hash(const fs::path& file) {
   std::string all;
   for (const fs::path& part : parts) {
     all += part.filename().string() + '\n' + read_text_file(part);
+  }
+  for (const ir::FlashFile& part : flash) {
+    all += part.name + '\n' + std::string(part.bytes.begin(), part.bytes.end());
   }
   return report::content_hash(all);
 }
@@ -95,7 +98,7 @@ LoadedFirmware find_firmware(const std::string& name, const std::optional<fs::pa
   if (placement) {
     loaded.firmware.placement = ir::load_placement(*placement);
   }
-  loaded.identity = {loaded.firmware.units.name, firmware_hash(file)};
+  loaded.identity = {loaded.firmware.units.name, firmware_hash(file, loaded.firmware.units.flash)};
   loaded.placement = placement_identity(loaded.firmware.placement);
   return loaded;
 }

@@ -23,9 +23,9 @@ std::string values_text(const Parameters& parameters) {
 std::string machine_hash(const machine::MachineDescription& machine) {
   std::string text = values_text(machine.parameters());
   for (const memory::Region& region : machine.map.regions) {
-    fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {} {} {}\n", region.core, region.name,
-                   region.base, region.size, static_cast<int>(region.level), region.code,
-                   region.data, region.dma_reachable);
+    fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {} {} {} {}\n", region.core,
+                   region.name, region.base, region.size, static_cast<int>(region.level),
+                   region.code, region.data, region.dma_reachable, region.read_only);
   }
   return report::content_hash(text);
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
@@ -35,6 +36,50 @@ Move parse_move(const std::string& text) {
   return move;
 }
 
+struct FlashOption {
+  std::string name;
+  fs::path file;
+  std::optional<Address> at;
+};
+
+// "[NAME=]FILE[@ADDRESS]": without NAME the file's own, and from the beginning of flash on.
+FlashOption parse_flash(const std::string& text) {
+  constexpr Address kFlash = 0x20000000;
+  FlashOption option;
+  const std::size_t equals = text.find('=');
+  std::string file = equals == std::string::npos ? text : text.substr(equals + 1);
+  if (const std::size_t sign = file.rfind('@'); sign != std::string::npos) {
+    const std::string digits = file.substr(sign + 1);
+    std::size_t read = 0;
+    unsigned long address = 0;
+    try {
+      address = std::stoul(digits, &read, 0);
+    } catch (const std::logic_error&) {
+      read = 0;
+    }
+    if (read == 0 || read != digits.size() || address > 0xFFFFFFFF || address % 4 != 0) {
+      throw InputError(
+          fmt::format("--flash {}: '{}' is no address, such as 0x20000000; it is a multiple of 4",
+                      text, digits));
+    }
+    option.at = static_cast<Address>(address);
+    file.resize(sign);
+  }
+  if (file.empty() || equals == 0) {
+    throw InputError(fmt::format("--flash {}: wants [NAME=]FILE[@ADDRESS]", text));
+  }
+  option.file = file;
+  if (equals != std::string::npos) {
+    option.name = text.substr(0, equals);
+    return option;
+  }
+  option.name = option.file.filename().string();
+  std::ranges::replace_if(
+      option.name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  option.at = option.at.value_or(kFlash);
+  return option;
+}
+
 void apply_setting(machine::MachineDescription& machine, const std::string& text) {
   const auto [name, value] = split_assignment("--set", text, "PARAMETER=NUMBER");
   std::size_t read = 0;
@@ -66,6 +111,18 @@ std::unique_ptr<machine::MachineDescription> load_machine(
   return description;
 }
 
+void apply_flash(LoadedFirmware& loaded, const std::vector<std::string>& files) {
+  for (const std::string& text : files) {
+    ir::FirmwareUnits& units = loaded.firmware.units;
+    const FlashOption option = parse_flash(text);
+    ir::add_flash(units, option.name, option.file, option.at, SourcePlace{"--flash " + text});
+    const auto& bytes = std::ranges::find(units.flash, option.name, &ir::FlashFile::name)->bytes;
+    loaded.identity.hash = report::content_hash(
+        fmt::format("{}\n{} {}\n", loaded.identity.hash, option.name,
+                    report::content_hash(std::string(bytes.begin(), bytes.end()))));
+  }
+}
+
 RunInputs load_inputs(const RunRequest& request) {
   RunInputs inputs;
   load_scene(request, inputs);
@@ -78,6 +135,7 @@ RunInputs load_inputs(const RunRequest& request) {
   inputs.firmware = find_firmware(
       request.firmware,
       request.placement.empty() ? std::nullopt : std::optional<fs::path>(request.placement));
+  apply_flash(inputs.firmware, request.flash);
   std::vector<Move> moves;
   for (const std::string& move : request.moves) {
     moves.push_back(parse_move(move));

@@ -33,6 +33,7 @@ struct RunRequest {
   std::string power;
   std::vector<std::string> moves;     // "core_b.shd_scores=l3"
   std::vector<std::string> settings;  // "memory.l2.read_cycles=9"
+  std::vector<std::string> flash;     // "tables.bin@0x20000000", "tables=mine.bin"
   double max_seconds = 0;             // of simulated time; 0: two a frame
   bool check_races = false;
 };
@@ -42,6 +43,10 @@ inline constexpr std::uint32_t kMostFrames = 10000;
 // "memory.l2.read_cycles=9". Throws InputError.
 [[nodiscard]] std::unique_ptr<machine::MachineDescription> load_machine(
     const std::string& name, const std::vector<std::string>& settings);
+
+// Puts files into flash as --flash names them, "[NAME=]FILE[@ADDRESS]"; the firmware's identity
+// tells. Throws InputError.
+void apply_flash(LoadedFirmware& loaded, const std::vector<std::string>& files);
 
 // Loads everything that `request` names. Throws InputError.
 [[nodiscard]] RunInputs load_inputs(const RunRequest& request);

@@ -31,7 +31,7 @@ struct Core::Hooks {
         (guarded && !c.protection_.allows(address, write, !c.events_.user_mode()))) {
       c.check_access(o, address, bytes, write);
     }
-    if (span == nullptr) {
+    if (span == nullptr || c.memory_.refuses(*span, write)) {
       return c.no_memory(o, c.memory_.core_fault(c.number_, address, bytes, write));
     }
     if (MemoryWindow* window = memory::MemorySystem::window(c.number_, span)) {

@@ -14,6 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_c_name(std::string_view name) {
+  const auto letter = [](char c) {
+    return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  };
+  return !name.empty() && letter(name.front()) &&
+         std::ranges::all_of(name, [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+}
+
 // Reads each unit once, however many cores name it.
 class UnitLoader {
  public:
@@ -97,11 +105,41 @@ std::vector<std::string> read_flags(const TomlReader& reader, const toml::table&
   return flags;
 }
 
+// `tables = { file = "tables.bin", at = 0x20000000 }`.
+void read_flash(const TomlReader& reader, const fs::path& folder, FirmwareUnits& units) {
+  const toml::table* table = reader.table(reader.root(), "flash");
+  if (table == nullptr) {
+    return;
+  }
+  for (const auto& [name, node] : TomlReader::in_order(*table)) {
+    const toml::table* entry = node->as_table();
+    if (entry == nullptr || !is_c_name(name)) {
+      reader.fail(*node,
+                  "[flash] holds NAME = { file = \"tables.bin\", at = 0x20000000 }, and NAME "
+                  "is one that C can say");
+    }
+    reader.check_keys(*entry, name, {"file", "at"});
+    const std::string file = reader.string(*entry, "file");
+    if (file.empty()) {
+      reader.fail(*node, fmt::format("{} wants file = \"tables.bin\"", name));
+    }
+    std::optional<Address> at;
+    if (const toml::node* address = entry->get("at")) {
+      const auto number = address->value_exact<std::int64_t>();
+      if (!number || *number < 0 || *number > 0xFFFFFFFF || *number % 4 != 0) {
+        reader.fail(*address, "'at' is an address, a multiple of 4");
+      }
+      at = static_cast<Address>(*number);
+    }
+    add_flash(units, name, folder / file, at, reader.place(*node));
+  }
+}
+
 Firmware load_manifest(const fs::path& path) {
   const TomlReader reader(read_text_file(path), path.string());
   const toml::table& root = reader.root();
   reader.check_keys(root, "a firmware manifest",
-                    {"name", "placement", "core_a", "core_b", "shared", "stages"});
+                    {"name", "placement", "core_a", "core_b", "shared", "stages", "flash"});
   Firmware firmware;
   FirmwareUnits& units = firmware.units;
   units.name = reader.string(root, "name");
@@ -136,10 +174,53 @@ Firmware load_manifest(const fs::path& path) {
   const std::string placement = reader.string(root, "placement");
   firmware.placement =
       placement.empty() ? default_placement() : load_placement(path.parent_path() / placement);
+  read_flash(reader, path.parent_path(), units);
   return firmware;
 }
 
 }  // namespace
+
+void add_flash(FirmwareUnits& units, const std::string& name, const fs::path& path,
+               std::optional<Address> at, const SourcePlace& written) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) {
+    throw InputError(written, fmt::format("{} is not there", path.string()));
+  }
+  const std::string text = read_text_file(path);
+  if (text.empty()) {
+    throw InputError(written, fmt::format("{} is empty", path.string()));
+  }
+  FlashFile file{.name = name,
+                 .path = path,
+                 .at = at,
+                 .bytes = {text.begin(), text.end()},
+                 .written = written};
+  Object object;
+  object.name = "_" + name;
+  object.binding = Binding::global;
+  object.align = 4;
+  object.size = static_cast<std::uint32_t>(file.bytes.size());
+  object.section = ".rodata";
+  object.initial = file.bytes;
+  object.written = written;
+  Program program;
+  program.path = path.string();
+  program.source_files = {""};
+  program.objects.push_back(std::move(object));
+  auto unit = std::make_shared<const Program>(std::move(program));
+  const auto known = std::ranges::find(units.flash, name, &FlashFile::name);
+  if (known != units.flash.end()) {
+    const auto old = std::ranges::find_if(units.shared, [&](const Unit& one) {
+      return one->objects.size() == 1 && one->objects[0].name == "_" + name;
+    });
+    *old = std::move(unit);
+    file.at = at ? at : known->at;
+    *known = std::move(file);
+    return;
+  }
+  units.shared.push_back(std::move(unit));
+  units.flash.push_back(std::move(file));
+}
 
 Firmware bare_firmware(Program program) {
   Firmware firmware;

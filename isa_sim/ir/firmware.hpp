@@ -8,6 +8,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,16 @@ struct Stage {
   std::string function;  // C name
 };
 
+// What a file's bytes become before the program runs: a shared object that is loaded from it, in
+// flash unless placement says otherwise.
+struct FlashFile {
+  std::string name;            // C name of the object
+  std::filesystem::path path;  // the file
+  std::optional<Address> at;   // where it stands; none: where there is room
+  std::vector<std::uint8_t> bytes;
+  SourcePlace written;
+};
+
 struct FirmwareUnits {
   std::string name;
   std::string path;  // firmware.toml, or the bare file
@@ -40,6 +51,7 @@ struct FirmwareUnits {
   std::vector<Unit> shared;
   std::vector<std::string> flags;  // C names of shared objects by which the cores synchronise
   std::vector<Stage> stages;       // in the order of the manifest
+  std::vector<FlashFile> flash;    // each a unit of `shared`, too
 };
 
 struct Firmware {
@@ -55,6 +67,11 @@ struct Firmware {
 
 // The same for one program in memory.
 [[nodiscard]] Firmware bare_firmware(Program program);
+
+// Reads a file into flash; one of the same name is replaced. Throws InputError for a file that is
+// empty or cannot be read. `at`: none where it goes wherever there is room.
+void add_flash(FirmwareUnits& units, const std::string& name, const std::filesystem::path& path,
+               std::optional<Address> at, const SourcePlace& written);
 
 // The start-up of bare programs, as BIR text.
 [[nodiscard]] std::string_view bare_start_text();

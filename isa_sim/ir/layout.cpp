@@ -160,6 +160,7 @@ class Layout {
         check_patterns(owner);
       }
     }
+    place_fixed();
     for (const Owner owner : kOwners) {
       if (present(owner)) {
         place_stack(owner);
@@ -307,11 +308,59 @@ class Layout {
 
   // The regions that rules name for a thing, or nothing when it goes by default.
   [[nodiscard]] const RegionList* named(const Thing& thing) const {
+    const PlacementRule* rule = rule_for(thing);
+    return rule == nullptr ? nullptr : &rule->regions;
+  }
+
+  [[nodiscard]] const PlacementRule* rule_for(const Thing& thing) const {
     const OwnerPlacement& own = placement_.of(thing.owner);
     const auto& rules = thing.is_code() ? own.functions : own.objects;
     const auto found = std::ranges::find_if(
         rules, [&](const PlacementRule& rule) { return matches(rule, thing.name); });
-    return found == rules.end() ? nullptr : &found->regions;
+    return found == rules.end() ? nullptr : &*found;
+  }
+
+  // Of a thing that comes out of a file, or nullptr.
+  [[nodiscard]] const FlashFile* file_of(const Thing& thing) const {
+    const auto found = std::ranges::find(firmware_.flash, thing.name, &FlashFile::name);
+    return thing.owner != Owner::shared || found == firmware_.flash.end() ? nullptr : &*found;
+  }
+
+  // Files that say where they stand, lowest first; whatever else goes there comes behind them.
+  void place_fixed() {
+    std::vector<Thing> fixed;
+    for (const Thing& thing : things_[index_of(Owner::shared)]) {
+      const FlashFile* file = file_of(thing);
+      if (file != nullptr && file->at) {
+        fixed.push_back(thing);
+        fixed.back().address = *file->at;
+      }
+    }
+    std::ranges::stable_sort(fixed, {}, &Thing::address);
+    for (Thing& thing : fixed) {
+      const Region* found = map_.find(thing.address);
+      if (found == nullptr || !found->data || found->core >= 0 ||
+          !found->contains(thing.address, thing.size)) {
+        throw InputError(
+            thing.written,
+            fmt::format("{}: {} bytes at {:#010x} do not lie in one region of shared memory",
+                        file_of(thing)->path.filename().string(), thing.size, thing.address));
+      }
+      const std::uint32_t offset = thing.address - found->base;
+      if (used_.contains(found->base) && offset < used(*found)) {
+        throw InputError(thing.written, fmt::format("{} at {:#010x} overlaps {}", thing.name,
+                                                    thing.address, placed_.back().name));
+      }
+      const PlacementRule* rule = rule_for(thing);
+      if (rule != nullptr && (rule->exact || rule->pattern == thing.name)) {
+        throw InputError(rule->regions.written,
+                         fmt::format("{} stands at {:#010x}, which {} says: no placement moves it",
+                                     thing.name, thing.address, thing.written.to_string()));
+      }
+      used(*found) = offset + thing.size;
+      thing.region = found;
+      placed_.push_back(std::move(thing));
+    }
   }
 
   void place_stack(Owner owner) {
@@ -333,10 +382,16 @@ class Layout {
     for (const bool functions : {true, false}) {
       for (const Thing& thing : things_[index_of(owner)]) {
         const RegionList* rule = named(thing);
-        if (thing.is_code() != functions || (rule != nullptr) != by_name) {
+        const FlashFile* file = file_of(thing);
+        if (thing.is_code() != functions || (rule != nullptr) != by_name ||
+            (file != nullptr && file->at)) {
           continue;
         }
-        place(thing, by_name ? *rule : (functions ? own.code : own.defaults), by_name);
+        if (file != nullptr && !by_name) {
+          place(thing, {{"flash"}, file->written}, true);
+        } else {
+          place(thing, by_name ? *rule : (functions ? own.code : own.defaults), by_name);
+        }
       }
     }
   }

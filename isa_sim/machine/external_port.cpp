@@ -53,10 +53,10 @@ const DeviceRegister* ExternalPort::find_register(std::uint32_t offset) const {
 std::uint32_t ExternalPort::read(std::uint32_t offset, int /*bytes*/, Cycles /*now*/) {
   switch (offset) {
     case kAsyncGlobal:
-      return async_global_;
+      return memory_.asynchronous().global();
     case kAsyncBanks0:
     case kAsyncBanks1:
-      return async_banks_[offset == kAsyncBanks0 ? 0 : 1];
+      return memory_.asynchronous().banks(offset == kAsyncBanks0 ? 0 : 1);
     case kGlobalControl:
       return global_control();
     case kBankControl:
@@ -77,11 +77,11 @@ void ExternalPort::write(std::uint32_t offset, int /*bytes*/, std::uint32_t valu
                         "external port, is not modelled; leave it 0",
                         value));
       }
-      async_global_ = value;
+      memory_.asynchronous().set_global(value);
       break;
     case kAsyncBanks0:
     case kAsyncBanks1:
-      async_banks_[offset == kAsyncBanks0 ? 0 : 1] = value;
+      memory_.asynchronous().set_banks(offset == kAsyncBanks0 ? 0 : 1, value);
       break;
     case kGlobalControl:
       set_global_control(value);

@@ -1,10 +1,11 @@
 // The registers of the external port (EBIU): what the SDRAM is, and how fast.
 //
 // Models: SDGCTL (CL, tRAS, tRP, tRCD, tWR, which change the time of accesses from the write on),
-// SDRRC (the refresh period), SDBCTL (size, columns), SDSTAT (idle), AMGCTL and AMBCTL0/1 (which
-// keep what is written). After reset they tell what the machine's parameters say. Does not model:
-// the power-up sequence, self-refresh, CDPRIO, asynchronous memory. Source: hardware.md 2.4, 2.5;
-// addresses and bits as in the EBIU registers of defBF561.h.
+// SDRRC (the refresh period), SDBCTL (size, columns), SDSTAT (idle); AMGCTL and AMBCTL0/1 (which
+// banks of asynchronous memory there are, how wide and how slow). After reset the SDRAM's tell what
+// the machine's parameters say. Does not model: the power-up sequence, self-refresh, CDPRIO, the
+// clock output. Source: hardware.md 2.4, 2.5; addresses and bits as in the EBIU registers of
+// defBF561.h.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +34,6 @@ class ExternalPort final : public Device {
 
   memory::MemorySystem& memory_;
   std::uint32_t other_control_ = 0x00800001;  // SDGCTL's bits without time: PSS, SCTLE
-  std::uint32_t async_global_ = 0x00F2;       // AMGCTL after reset: all banks, CLKOUT off
-  std::uint32_t async_banks_[2] = {0xFFC2FFC2, 0xFFC2FFC2};
 };
 
 }  // namespace finback::machine

@@ -182,7 +182,8 @@ class MachineReader {
   }
 
   void change_region(const toml::table& table, Region& region) const {
-    check_keys(table, {"base", "size", "code", "data", "dma_reachable", "cache_bytes"});
+    check_keys(table,
+               {"base", "size", "code", "data", "dma_reachable", "read_only", "cache_bytes"});
     if (table.contains("base")) {
       region.base = number(table, "base", 0);
     }
@@ -192,6 +193,7 @@ class MachineReader {
     region.code = flag(table, "code", region.code);
     region.data = flag(table, "data", region.data);
     region.dma_reachable = flag(table, "dma_reachable", region.dma_reachable);
+    region.read_only = flag(table, "read_only", region.read_only);
     region.cache_bytes = table.contains("cache_bytes") ? cache_bytes(table, region)
                                                        : std::min(region.cache_bytes, region.size);
     check_end(table.source(), region);
@@ -199,7 +201,7 @@ class MachineReader {
 
   Region read_region(const toml::table& table) const {
     check_keys(table, {"name", "base", "size", "level", "core", "code", "data", "dma_reachable",
-                       "cache_bytes"});
+                       "read_only", "cache_bytes"});
     Region region;
     region.name = text("region.name", required(table, "name"));
     region.base = number(table, "base", 0);
@@ -209,6 +211,7 @@ class MachineReader {
     region.code = flag(table, "code", false);
     region.data = flag(table, "data", false);
     region.dma_reachable = flag(table, "dma_reachable", true);
+    region.read_only = flag(table, "read_only", false);
     region.cache_bytes = cache_bytes(table, region);
     if ((region.level == Level::l1) != (region.core >= 0)) {
       fail(table.source(), region.level == Level::l1
@@ -227,6 +230,15 @@ class MachineReader {
     if (std::uint64_t{region.base} + region.size > kDeviceRegisters) {
       fail(at, fmt::format("region {} reaches into the device registers at {:#x}", region.name,
                            kDeviceRegisters));
+    }
+    const Address last = region.base + (region.size - 1);
+    const bool of_one_kind = memory::is_asynchronous(region.base)
+                                 ? region.base >> 26U == last >> 26U
+                                 : region.base >> 28U > 2 || last >> 28U < 2;
+    if (region.level == Level::l3 && !of_one_kind) {
+      fail(at, fmt::format("region {} is not all of one kind: from 0x20000000 to 0x2fffffff lie "
+                           "four banks of asynchronous memory, 64 MB each",
+                           region.name));
     }
   }
 
@@ -318,7 +330,8 @@ class MachineReader {
     if (region.name == other.name && seen_together) {
       fail(at, fmt::format("there are two regions {} for the same core", region.name));
     }
-    if (region.level != Level::l1 && region.level == other.level) {
+    if (region.level != Level::l1 && region.level == other.level &&
+        !memory::is_asynchronous(region.base) && !memory::is_asynchronous(other.base)) {
       fail(at,
            fmt::format("regions {} and {} are both {}: a machine has at most one", other.name,
                        region.name, memory::kLevelNames[static_cast<std::size_t>(region.level)]));

@@ -229,6 +229,31 @@ TEST_F(Output, IsOfThePlacementAndTheMachineThatOptionsName) {
   EXPECT_EQ(r["provenance"]["placement"]["name"], "placement.toml + 5 moved");
 }
 
+TEST_F(Output, IsOfTheFilesInFlash) {
+  write("main.bir", program_text("  P0.L = 8;\n  P0.H = 0x2000;\n  R0 = B[P0] (Z);\n"
+                                 "  R1 = 56;\n  R0 = R0 - R1;\n  RTS;\n"));
+  write("table.bin", "12345678");
+  const std::vector<std::string> run = {"run", "--firmware", "main.bir", "--out", "o", "--flash"};
+  const auto with = [&](const std::string& flash) {
+    std::vector<std::string> arguments = run;
+    arguments.push_back(flash);
+    return finback(arguments);
+  };
+  Finished finished = with("table.bin@0x20000001");
+  EXPECT_THAT(finished.err, HasSubstr("'0x20000001' is no address"));
+  ASSERT_EQ(with("table.bin@0x20000004").exit_code, 2) << "the byte at 8 is '5'";
+  finished = with("table=table.bin@0x20000008");
+  EXPECT_EQ(finished.exit_code, 2);
+  write("table.bin", "8");
+  finished = with("table=table.bin@0x20000008");
+  ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  const json r = result("o");
+  const auto table = std::ranges::find_if(
+      r["objects"], [](const json& object) { return object["name"] == "table"; });
+  ASSERT_NE(table, r["objects"].end());
+  EXPECT_EQ((*table)["region"], "flash");
+}
+
 TEST_F(Output, TellsHowDeepTheStackWas) {
   const auto used = [&](const std::string& pushes) {
     write("main.bir",

@@ -101,6 +101,54 @@ TEST_F(FirmwareFolder, SaysWhatIsWrongWithAManifest) {
             "bad.bir:3:5: _f runs on past its last instruction: end it with RTS or a jump");
 }
 
+TEST_F(FirmwareFolder, FilesGoIntoFlash) {
+  write("a.bir", ".bir 1\n" + std::string(kStart) + "P0.L = _tables; P0.H = _tables; RTS;\n");
+  write("t.bin", "abcdefg");
+  write("u.bin", "xyz");
+  Firmware firmware = load_firmware(write("firmware.toml", R"([core_a]
+units = ["a.bir"]
+[flash]
+tables = { file = "t.bin" }
+fixed = { file = "u.bin", at = 0x20000100 }
+)"));
+  const auto linked = [&](const std::string& name) {
+    const Image image = link(firmware.units, firmware.placement, memory::bf561_map());
+    return *std::ranges::find(image.objects, name, &PlacedObject::name);
+  };
+  EXPECT_EQ(linked("fixed").address, 0x20000100U);
+  EXPECT_EQ(linked("tables").address, 0x20000104U) << "behind what has its place";
+  EXPECT_EQ(linked("tables").region, "flash");
+  EXPECT_EQ(linked("tables").size, 7U);
+  EXPECT_EQ(linked("tables").initial,
+            (std::vector<std::uint8_t>{'a', 'b', 'c', 'd', 'e', 'f', 'g'}));
+  add_flash(firmware.units, "tables", folder_ / "u.bin", std::nullopt, {"(test)"});
+  EXPECT_EQ(linked("tables").size, 3U) << "replaced";
+  firmware.placement.override_object(Owner::shared, "tables", "l2");
+  EXPECT_EQ(linked("tables").region, "l2");
+  add_flash(firmware.units, "other", folder_ / "u.bin", 0x20000100, {"(test)"});
+  EXPECT_EQ(error_of([&] { (void)linked("other"); }), "(test): other at 0x20000100 overlaps fixed");
+  firmware.placement.override_object(Owner::shared, "fixed", "l3", {"(move)"});
+  EXPECT_THAT(error_of([&] { (void)linked("fixed"); }),
+              testing::MatchesRegex(".move.: fixed stands at 0x20000100, which .*firmware.toml:5:9 "
+                                    "says: no placement moves it"));
+}
+
+TEST_F(FirmwareFolder, SaysWhatIsWrongWithFlash) {
+  write("a.bir", kMain);
+  write("empty.bin", "");
+  const std::string core = "[core_a]\nunits = [\"a.bir\"]\n[flash]\n";
+  EXPECT_EQ(load_error(core + "t = { file = \"no.bin\" }"),
+            "firmware.toml:4:5: no.bin is not there");
+  EXPECT_EQ(load_error(core + "t = { file = \"empty.bin\" }"),
+            "firmware.toml:4:5: empty.bin is empty");
+  EXPECT_EQ(load_error(core + "t = {}"), "firmware.toml:4:5: t wants file = \"tables.bin\"");
+  EXPECT_EQ(load_error(core + "t = { file = \"a.bir\", at = 2 }"),
+            "firmware.toml:4:28: 'at' is an address, a multiple of 4");
+  EXPECT_EQ(load_error(core + "\"a b\" = { file = \"a.bir\" }"),
+            "firmware.toml:4:9: [flash] holds NAME = { file = \"tables.bin\", at = 0x20000000 }, "
+            "and NAME is one that C can say");
+}
+
 TEST_F(FirmwareFolder, BareProgramWithItsOwnStart) {
   const Firmware firmware = load_firmware(write("a.bir", kMain));
   EXPECT_EQ(firmware.units.name, "a");

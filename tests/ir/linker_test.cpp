@@ -187,7 +187,7 @@ TEST(Linker, ChecksRegionsAndPatterns) {
   EXPECT_EQ(link_error(firmware, placement("[core_a]\ncode = \"l1.data.a\"")),
             "p.toml:2:8: region l1.data.a holds data, not functions");
   EXPECT_EQ(link_error(firmware, placement("[shared]\ndefault = \"l1.data.a\"")),
-            "p.toml:2:11: shared has no region l1.data.a; there are l3, l2");
+            "p.toml:2:11: shared has no region l1.data.a; there are l3, flash, l2");
   EXPECT_EQ(link_error(firmware, placement("[core_b.objects]\nnothing = \"l2\"")), "")
       << "a core that the firmware does not have is not placed";
 }

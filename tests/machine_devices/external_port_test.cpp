@@ -75,5 +75,16 @@ TEST_F(ExternalPortTest, WhatCannotBeIsRefused) {
   EXPECT_EQ(read(0), 0xF3U);
 }
 
+TEST_F(ExternalPortTest, AsynchronousBanksAreAsAmbctlSays) {
+  constexpr Address kFlash = 0x20000000;
+  EXPECT_EQ(read(0x04), 0xFFC2FFC2U);
+  EXPECT_EQ(load(kFlash, 1000), (5U + 2 * 22 - 3) * 5 - 1);
+  write(0x04, 0xFFC2BB3C);  // setup 3, read and write 11, hold 0, transition 3
+  EXPECT_EQ(read(0x04), 0xFFC2BB3CU);
+  EXPECT_EQ(load(kFlash, 2000), (5U + 2 * 14) * 5 - 1);
+  write(0x08, 0xFFC2BB3C);
+  EXPECT_EQ(read(0x08), 0xFFC2BB3CU);
+}
+
 }  // namespace
 }  // namespace finback::machine

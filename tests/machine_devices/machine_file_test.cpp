@@ -196,7 +196,7 @@ TEST(MachineMap, ChangesRegionsOfBothCoresOrOne) {
 
 TEST(MachineMap, TakesRegionsAwayAndACoreWithAllOfIts) {
   const auto machine = parse_machine("[map]\ncore_b = false\nl2 = false\n", "m.toml");
-  EXPECT_EQ(machine->map.regions.size(), 6U);
+  EXPECT_EQ(machine->map.regions.size(), 7U);
   EXPECT_EQ(machine->map.find(1, "l1.code"), nullptr);
   EXPECT_EQ(machine->map.find(0, "l2"), nullptr);
 }
@@ -222,6 +222,10 @@ TEST(MachineMap, SaysWhatIsWrong) {
   EXPECT_EQ(
       error("[map]\nl2 = false\n[[region]]\nname = \"l3\"\nbase = 0\nsize = 64\nlevel = \"l3\""),
       "m.toml:1:1: [map] changes the BF561's map, [[region]] replaces it: one of the two");
+  EXPECT_EQ(error("[map]\nflash = { size = 0x8000000 }"),
+            "m.toml:2:9: region flash is not all of one kind: from 0x20000000 to 0x2fffffff lie "
+            "four banks of asynchronous memory, 64 MB each");
+  EXPECT_EQ(error("[map]\nflash = { base = 0x28000000, read_only = false }"), "");
   EXPECT_EQ(error("map = 3"),
             "m.toml:1:7: map wants a table [map] of regions and what changes in them");
 }

@@ -262,8 +262,9 @@ TEST_F(DataCacheTest, NobodyReachesTheHalfThatIsCache) {
   constexpr Address kHalf = kL1A + 0x4000;
   EXPECT_EQ(memory().find_span(0, kHalf), nullptr);
   EXPECT_THAT(memory().core_fault(0, kHalf, 4, false), testing::HasSubstr("is cache"));
-  EXPECT_THAT(memory().dma_fault({kHalf - 4, 4, 2}, 4), testing::HasSubstr("is cache"));
-  EXPECT_EQ(memory().dma_fault({kHalf - 8, 4, 2}, 4), "");
+  EXPECT_THAT(memory().dma_fault({kHalf - 4, 4, 2}, 4, Direction::read),
+              testing::HasSubstr("is cache"));
+  EXPECT_EQ(memory().dma_fault({kHalf - 8, 4, 2}, 4, Direction::write), "");
   EXPECT_NE(memory().find_span(0, kL1A + 0x104000), nullptr);  // bank B
   memory().configure_data_cache(0, 0, false, {}, 0);
   EXPECT_NE(memory().find_span(0, kHalf), nullptr);

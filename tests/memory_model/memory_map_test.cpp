@@ -43,9 +43,9 @@ TEST(MemoryMap, ANameMeansTheCoresOwnRegion) {
   EXPECT_EQ(map.find(0, "l2"), map.find(1, "l2"));
   EXPECT_EQ(map.find(-1, "l1.data.b"), nullptr);
   EXPECT_EQ(map.find(0, "l4"), nullptr);
-  EXPECT_THAT(map.names(-1), testing::ElementsAre("l3", "l2"));
-  EXPECT_THAT(map.names(1), testing::ElementsAre("l3", "l2", "l1.data.a", "l1.data.b", "l1.code",
-                                                 "l1.code.cache", "l1.scratch"));
+  EXPECT_THAT(map.names(-1), testing::ElementsAre("l3", "flash", "l2"));
+  EXPECT_THAT(map.names(1), testing::ElementsAre("l3", "flash", "l2", "l1.data.a", "l1.data.b",
+                                                 "l1.code", "l1.code.cache", "l1.scratch"));
 }
 
 TEST(ClockParameters, TheRatioIsWhole) {

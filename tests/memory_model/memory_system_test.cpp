@@ -52,7 +52,7 @@ TEST_F(MemorySystemTest, FaultsSayWhatIsWrong) {
 
 TEST_F(MemorySystemTest, DmaFaultsSayWhatIsWrong) {
   const auto fault = [this](Address address, std::int32_t stride, std::uint32_t count) {
-    return memory().dma_fault({address, stride, count}, 4);
+    return memory().dma_fault({address, stride, count}, 4, Direction::write);
   };
   EXPECT_EQ(fault(kL1A, 4, 8192), "");
   EXPECT_EQ(fault(kL1A + 0x7FFC, -4, 8192), "");
