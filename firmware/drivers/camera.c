@@ -5,6 +5,7 @@
 #include "events.h"
 
 static volatile unsigned captures_under_way; /* a bit a camera */
+static void (*listener)(unsigned camera);
 
 static volatile struct dma_registers* channel_of(unsigned camera) {
   return (volatile struct dma_registers*)(DMA1_0_BASE + camera * DMA_CHANNEL_STRIDE);
@@ -20,6 +21,9 @@ FINBACK_INTERRUPT static void frame_captured(void) {
       port_of(camera)->control = 0;              /* before the next frame comes */
       channel_of(camera)->irq_status = DMA_DONE; /* written as 1 to withdraw the request */
       captures_under_way &= ~(1u << camera);
+      if (listener != 0) {
+        listener(camera);
+      }
     }
   }
   __builtin_bfin_ssync();
@@ -29,6 +33,8 @@ void camera_start(enum core core) {
   events_attach(core, IRQ_DMA1_CHANNEL(0), EVT_IVG9, frame_captured);
   events_attach(core, IRQ_DMA1_CHANNEL(1), EVT_IVG9, frame_captured);
 }
+
+void camera_listen(void (*ended)(unsigned camera)) { listener = ended; }
 
 void camera_capture(unsigned camera, uint8_t* luma, unsigned width, unsigned height) {
   volatile struct dma_registers* channel = channel_of(camera);

@@ -13,6 +13,10 @@ void camera_start(enum core core);
  * to 2 bytes, the size is the camera's. */
 void camera_capture(unsigned camera, uint8_t* luma, unsigned width, unsigned height);
 
+/* Has `ended` called, in the interrupt, when a capture of a camera is complete; it may begin the
+ * next one. To be called before the first capture. */
+void camera_listen(void (*ended)(unsigned camera));
+
 /* Sleeps until all captures that were begun are complete. */
 void camera_wait(void);
 

@@ -5,9 +5,6 @@
 
 #include <stdint.h>
 
-/* Transforms an image of MAP_WIDTH x MAP_HEIGHT in place. */
-void census_image(uint8_t* image);
-
 /* One row from copies of the row above and itself, and the row below as it lies in the image. */
 void census_row(const uint8_t* above, const uint8_t* centre, const uint8_t* below, uint8_t* census);
 

@@ -1,38 +1,21 @@
-/* MESVS-II, core A: from camera frames to rectified pairs of 160x120. */
+/* MESVS, core A: from camera frames to rectified pairs of 160x120. */
 #include <bf561.h>
 #include <core_interrupt.h>
 #include <events.h>
-#include <host_port.h>
 #include <memory_dma.h>
 
+#include "frames.h"
 #include "rectify_stream.h"
 #include "shared_buffers.h"
 #include "stereo_config.h"
 
-#define CAMERA_BUFFERS 2
-
-/* One is processed while the cameras may fill the other one. */
-_Alignas(4) uint8_t vga_left[CAMERA_BUFFERS][CAMERA_WIDTH * CAMERA_HEIGHT];
-_Alignas(4) uint8_t vga_right[CAMERA_BUFFERS][CAMERA_WIDTH * CAMERA_HEIGHT];
-unsigned vga_frame[CAMERA_BUFFERS]; /* number of the frame in a buffer */
-
 _Alignas(4) uint8_t small_left[MAP_PIXELS];
 _Alignas(4) uint8_t small_right[MAP_PIXELS];
 
-/* Has the next frame put into a buffer. Returns 0 when there is none. */
-__attribute__((noinline)) int acquire_frame(int buffer) {
-  if (host_frames_left() == 0) {
-    return 0;
-  }
-  vga_frame[buffer] = host_grab_frame(vga_left[buffer], vga_right[buffer]);
-  return 1;
-}
-
 /* Every 4th pixel of every 4th row, from L3 to L1, without the core's help. */
-__attribute__((noinline)) void subsample_pair(int buffer) {
-  memory_dma_gather(small_left, vga_left[buffer], MAP_WIDTH, MAP_HEIGHT, SUBSAMPLING, CAMERA_WIDTH);
-  memory_dma_gather(small_right, vga_right[buffer], MAP_WIDTH, MAP_HEIGHT, SUBSAMPLING,
-                    CAMERA_WIDTH);
+__attribute__((noinline)) void subsample_pair(const struct frame_pair* pair) {
+  memory_dma_gather(small_left, pair->left, MAP_WIDTH, MAP_HEIGHT, SUBSAMPLING, CAMERA_WIDTH);
+  memory_dma_gather(small_right, pair->right, MAP_WIDTH, MAP_HEIGHT, SUBSAMPLING, CAMERA_WIDTH);
   memory_dma_wait();
 }
 
@@ -53,23 +36,26 @@ __attribute__((noinline)) void hand_over_pair(int slot, unsigned frame_number) {
 }
 
 int main(void) {
+  struct frame_pair pair;
   unsigned frames = 0;
 
   memory_dma_start(CORE_A);
   core_interrupt_start(CORE_A);
+  frames_start();
   events_enable();
   rectify_start();
   SICA_SYSCR &= ~COREB_SRAM_INIT; /* core B starts */
 
-  while (acquire_frame((int)(frames % CAMERA_BUFFERS))) {
-    int buffer = (int)(frames % CAMERA_BUFFERS);
+  while (acquire_frame(&pair)) {
     int slot = (int)(frames % SLOT_COUNT);
-    subsample_pair(buffer);
+    subsample_pair(&pair);
+    release_frame();
     rectify_pair(slot);
-    hand_over_pair(slot, vga_frame[buffer]);
+    hand_over_pair(slot, pair.number);
     ++frames;
     wait_for_core_b(frames);
   }
   WAIT_UNTIL(maps_published == frames);
+  frames_end();
   return 0;
 }

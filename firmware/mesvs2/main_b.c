@@ -1,14 +1,14 @@
-/* MESVS-II, core B: from rectified pairs to disparity maps. */
+/* MESVS, core B: from rectified pairs to disparity maps. */
 #include <core_interrupt.h>
 #include <events.h>
 #include <host_port.h>
 #include <memory_dma.h>
 
-#include "census.h"
 #include "matching.h"
 #include "postprocess.h"
 #include "shared_buffers.h"
 #include "stereo_config.h"
+#include "transform.h"
 #include "variance.h"
 
 /* The map leaves L1 in bands: one is on its way while the next is computed. */
@@ -17,16 +17,16 @@
 #define BAND_COUNT (MAP_HEIGHT / BAND_ROWS)
 _Static_assert(BAND_COUNT* BAND_ROWS == MAP_HEIGHT, "bands fill the map");
 
-/* The rectified pair, then, in place, its census. */
-_Alignas(4) uint8_t left_census[MAP_PIXELS];
-_Alignas(4) uint8_t right_census[MAP_PIXELS];
+/* The rectified pair, then, in place, the codes by which it is compared. */
+_Alignas(4) uint8_t left_codes[MAP_PIXELS];
+_Alignas(4) uint8_t right_codes[MAP_PIXELS];
 _Alignas(4) uint8_t disparity_bands[2][BAND_PIXELS];
 
 /* Brings the pair of a slot into L1, gives the slot back and returns the frame's number. */
 __attribute__((noinline)) unsigned receive_pair(int slot) {
   unsigned frame_number = hand_over_frame[slot];
-  memory_dma_copy(left_census, hand_over_left[slot], MAP_PIXELS);
-  memory_dma_copy(right_census, hand_over_right[slot], MAP_PIXELS);
+  memory_dma_copy(left_codes, hand_over_left[slot], MAP_PIXELS);
+  memory_dma_copy(right_codes, hand_over_right[slot], MAP_PIXELS);
   memory_dma_wait();
   hand_over_full[slot] = 0;
   return frame_number;
@@ -34,15 +34,15 @@ __attribute__((noinline)) unsigned receive_pair(int slot) {
 
 __attribute__((noinline)) void wait_for_full_slot(int slot) { WAIT_UNTIL(hand_over_full[slot]); }
 
-__attribute__((noinline)) void census_pair(void) {
-  census_image(left_census);
-  census_image(right_census);
+__attribute__((noinline)) void transform_pair(void) {
+  transform_image(left_codes);
+  transform_image(right_codes);
 }
 
 /* Matches rows first to end - 1 and checks their views against each other. */
 __attribute__((noinline)) void match_rows(int first, int end) {
   for (int y = first; y < end; ++y) {
-    match_row(left_census, right_census, y, checked_row(y));
+    match_row(left_codes, right_codes, y, checked_row(y));
   }
 }
 
@@ -86,8 +86,8 @@ int main(void) {
     unsigned frame_number;
     wait_for_full_slot(slot);
     frame_number = receive_pair(slot);
-    find_plain_pixels(left_census); /* still greys */
-    census_pair();
+    find_plain_pixels(left_codes); /* still greys */
+    transform_pair();
     for (int band = 0; band < BAND_COUNT; ++band) {
       map_band(band);
       output_map_band(band);

@@ -6,9 +6,9 @@
 #include "shd.h"
 
 /* Moves all windows down by one row: `row` enters, the one WINDOW rows above it leaves. */
-static void enter_row(const uint8_t* left_census, const uint8_t* right_census, int row) {
-  const uint8_t* left = left_census + row * MAP_WIDTH;
-  const uint8_t* right = right_census + row * MAP_WIDTH;
+static void enter_row(const uint8_t* left_codes, const uint8_t* right_codes, int row) {
+  const uint8_t* left = left_codes + row * MAP_WIDTH;
+  const uint8_t* right = right_codes + row * MAP_WIDTH;
   if (row < WINDOW) {
     shd_pair_rows(left, shd_zero_row, right, shd_zero_row);
   } else {
@@ -18,8 +18,7 @@ static void enter_row(const uint8_t* left_census, const uint8_t* right_census, i
   shd_update_row();
 }
 
-void match_row(const uint8_t* left_census, const uint8_t* right_census, int y,
-               uint8_t* disparities) {
+void match_row(const uint8_t* left_codes, const uint8_t* right_codes, int y, uint8_t* disparities) {
   if (y < HALF_WINDOW || y >= MAP_HEIGHT - HALF_WINDOW) {
     memset(disparities, 0, MAP_WIDTH);
     return;
@@ -27,10 +26,10 @@ void match_row(const uint8_t* left_census, const uint8_t* right_census, int y,
   if (y == HALF_WINDOW) {
     shd_start_frame();
     for (int row = 0; row < WINDOW - 1; ++row) {
-      enter_row(left_census, right_census, row);
+      enter_row(left_codes, right_codes, row);
     }
   }
-  enter_row(left_census, right_census, y + HALF_WINDOW);
+  enter_row(left_codes, right_codes, y + HALF_WINDOW);
   shd_select_row();
   lrc_check_row(disparities);
 }

@@ -2,15 +2,38 @@
 
 #include <string.h>
 
-/* The leaving census is kept inverted on the left: the XOR of two pairs then holds h of the
- * entering row and 8 - h of the leaving one, and a single count of ones gives their difference plus
- * BIAS. What leaves the window carries the same BIAS, so U does not see it. */
-#define BIAS 8
+_Static_assert((uint64_t)WINDOW* WINDOW* MOST_DISTANCE < 1ull << (31 - KEY_SHIFT) &&
+                   DISPARITY_COUNT <= 1 << KEY_SHIFT,
+               "a score and a disparity make one key: take a smaller window or fewer disparities");
+
+#if MEASURE_BY_BITS
+/* The leaving code is kept inverted on the left: the XOR of two pairs then holds h of the entering
+ * row and 8 - h of the leaving one, and a single count of ones gives their difference plus BIAS.
+ * What leaves the window carries the same BIAS, so U does not see it. */
+#define BIAS 8u
 #define INVERTED 0xFF
 
-uint16_t shd_scores[COLUMN_COUNT * DISPARITY_COUNT];
-uint16_t shd_update[DISPARITY_COUNT];
-uint16_t shd_modular[WINDOW * DISPARITY_COUNT];
+static unsigned newest_of(unsigned left_pair, unsigned right_pair) {
+  return (unsigned)__builtin_popcount(left_pair ^ right_pair);
+}
+#else
+#define BIAS 0u
+#define INVERTED 0
+
+static unsigned distance(unsigned left, unsigned right) {
+  unsigned difference = left < right ? right - left : left - right;
+  return MEASURE == MEASURE_SSD ? difference * difference : difference;
+}
+
+/* What enters less what leaves, modulo 2^32: sums of scores are exact all the same. */
+static unsigned newest_of(unsigned left_pair, unsigned right_pair) {
+  return distance(left_pair & 0xFF, right_pair & 0xFF) - distance(left_pair >> 8, right_pair >> 8);
+}
+#endif
+
+shd_score shd_scores[COLUMN_COUNT * DISPARITY_COUNT];
+shd_score shd_update[DISPARITY_COUNT];
+shd_score shd_modular[WINDOW * DISPARITY_COUNT];
 uint16_t left_pairs[MAP_WIDTH];
 uint16_t right_pairs[PAIR_MARGIN + MAP_WIDTH];
 int32_t left_keys[MAP_WIDTH];
@@ -35,19 +58,19 @@ __attribute__((noinline)) void shd_pair_rows(const uint8_t* left_entering,
 }
 
 __attribute__((noinline)) void shd_start_row(void) {
-  uint16_t* restrict modular = shd_modular;
+  shd_score* restrict modular = shd_modular;
   const uint16_t* left = left_pairs + DISPARITY_MIN;
   const uint16_t* right_of_column = right_pairs + PAIR_MARGIN;
 
   memset(shd_update, 0, sizeof shd_update);
   for (int i = 0; i < WINDOW - 1; ++i) {
     const uint16_t* right = right_of_column++;
-    uint16_t* restrict update = shd_update;
+    shd_score* restrict update = shd_update;
     unsigned left_pair = *left++;
     for (int k = 0; k < DISPARITY_COUNT; ++k) {
-      unsigned newest = (unsigned)__builtin_popcount(left_pair ^ *right--);
-      *modular++ = (uint16_t)newest;
-      *update = (uint16_t)(*update + newest - BIAS);
+      unsigned newest = newest_of(left_pair, *right--);
+      *modular++ = (shd_score)newest;
+      *update = (shd_score)(*update + newest - BIAS);
       ++update;
     }
   }
@@ -58,21 +81,21 @@ __attribute__((noinline)) void shd_start_row(void) {
 }
 
 __attribute__((noinline)) void shd_update_row(void) {
-  uint16_t* restrict score = shd_scores;
-  uint16_t* restrict oldest = shd_modular + (WINDOW - 1) * DISPARITY_COUNT;
+  shd_score* restrict score = shd_scores;
+  shd_score* restrict oldest = shd_modular + (WINDOW - 1) * DISPARITY_COUNT;
   const uint16_t* left = left_pairs + FIRST_COLUMN + HALF_WINDOW;
   const uint16_t* right_of_column = right_pairs + PAIR_MARGIN + WINDOW - 1;
 
   for (int i = 0; i < COLUMN_COUNT; ++i) {
     const uint16_t* right = right_of_column++;
-    uint16_t* restrict update = shd_update;
+    shd_score* restrict update = shd_update;
     unsigned left_pair = *left++;
     for (int k = 0; k < DISPARITY_COUNT; ++k) {
-      unsigned newest = (unsigned)__builtin_popcount(left_pair ^ *right--);
+      unsigned newest = newest_of(left_pair, *right--);
       unsigned sum = *update + newest - *oldest;
-      *oldest++ = (uint16_t)newest;
-      *update++ = (uint16_t)sum;
-      *score = (uint16_t)(*score + sum);
+      *oldest++ = (shd_score)newest;
+      *update++ = (shd_score)sum;
+      *score = (shd_score)(*score + sum);
       ++score;
     }
     if (oldest == shd_modular + WINDOW * DISPARITY_COUNT) {
@@ -82,7 +105,7 @@ __attribute__((noinline)) void shd_update_row(void) {
 }
 
 __attribute__((noinline)) void shd_select_row(void) {
-  const uint16_t* column_scores = shd_scores;
+  const shd_score* column_scores = shd_scores;
   int32_t* left_key = left_keys + FIRST_COLUMN;
   int32_t* right_key_of_column = right_keys + FIRST_COLUMN - DISPARITY_MIN;
   int candidates = 1;
@@ -91,11 +114,11 @@ __attribute__((noinline)) void shd_select_row(void) {
     right_keys[x] = INT32_MAX;
   }
   for (int i = 0; i < COLUMN_COUNT; ++i) {
-    const uint16_t* restrict score = column_scores;
+    const shd_score* restrict score = column_scores;
     int32_t* restrict right_key = right_key_of_column++;
     int32_t best = INT32_MAX;
     for (int k = 0; k < candidates; ++k) {
-      int32_t key = (*score++ << KEY_SHIFT) + k;
+      int32_t key = (int32_t)((uint32_t)*score++ << KEY_SHIFT) + k;
       int32_t right_best = *right_key;
       best = key < best ? key : best;
       *right_key-- = key < right_best ? key : right_best;

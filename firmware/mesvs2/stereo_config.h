@@ -1,9 +1,32 @@
-/* What MESVS-II computes: sizes, window, disparity range. A left pixel x is seen in the right image
- * at x - d. The guards let tests build the kernels for other windows and ranges. */
+/* What MESVS-II computes, and MESVS-I where -D says so: sizes, window, disparity range, thresholds,
+ * what is compared and how. A left pixel x is seen in the right image at x - d. Each guarded number
+ * can be given to the compiler; all files of a firmware must agree. */
 #ifndef MESVS2_STEREO_CONFIG_H
 #define MESVS2_STEREO_CONFIG_H
 
 #include <stdint.h>
+
+/* By what pixels are compared: by which neighbours are darker, by how many are, by themselves. */
+#define CODE_CENSUS 1 /* MESVS-II */
+#define CODE_RANK 2   /* MESVS-I */
+#define CODE_GREY 3
+#ifndef CODE
+#define CODE CODE_CENSUS
+#endif
+/* Of what a window's sum is made: different bits, differences, their squares. */
+#define MEASURE_SHD 1 /* MESVS-II */
+#define MEASURE_SAD 2 /* MESVS-I */
+#define MEASURE_SSD 3
+#ifndef MEASURE
+#define MEASURE MEASURE_SHD
+#endif
+
+/* The rank r as a byte whose r lowest bits are set: two such bytes differ in as many bits as the
+ * ranks in value, so that absolute differences are Hamming distances, too. */
+#define MEASURE_BY_BITS (MEASURE == MEASURE_SHD || (CODE == CODE_RANK && MEASURE == MEASURE_SAD))
+#if CODE == CODE_RANK && MEASURE == MEASURE_SHD
+#error "ranks are numbers: compare them by MEASURE_SAD or MEASURE_SSD"
+#endif
 
 #ifndef WINDOW
 #define WINDOW 15 /* side of the matching window, odd */
@@ -34,7 +57,9 @@
 
 #define CAMERA_WIDTH 640
 #define CAMERA_HEIGHT 480
+#ifndef SUBSAMPLING
 #define SUBSAMPLING 4 /* every 4th pixel of every 4th row */
+#endif
 #define MAP_WIDTH (CAMERA_WIDTH / SUBSAMPLING)
 #define MAP_HEIGHT (CAMERA_HEIGHT / SUBSAMPLING)
 #define MAP_PIXELS (MAP_WIDTH * MAP_HEIGHT)

@@ -124,8 +124,8 @@ TEST_F(ExploreErrors, InTheRest) {
   EXPECT_THAT(refused_axes(""), HasSubstr("there is nothing to choose from"));
   EXPECT_THAT(refused_space("[run]\nscene = \"venice\"\n[clock]\nmhz = [[600, 120]]\n"),
               AllOf(HasSubstr("space.toml:1:"), HasSubstr("venice")));
-  EXPECT_THAT(refused_space("[firmware]\nvariants = [\"camera.bir\", \"mesvs3\"]\n"),
-              AllOf(HasSubstr("space.toml:2:27: firmware 'mesvs3' is not installed"),
+  EXPECT_THAT(refused_space("[firmware]\nvariants = [\"camera.bir\", \"mesv2\"]\n"),
+              AllOf(HasSubstr("space.toml:2:27: firmware 'mesv2' is not installed"),
                     HasSubstr("did you mean 'mesvs2'")));
   EXPECT_THAT(refused_axes("[clock]\nmhz = [[600, 120]]\n[sample]\nseed = 1\n"),
               HasSubstr("[sample] wants points"));
