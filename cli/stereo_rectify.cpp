@@ -74,7 +74,8 @@ void print_errors(const char* name, const TableErrors& errors, bool tangential) 
 int tables(const Options& options) {
   const FirmwareTables made =
       firmware_tables(load_calibration(options.calibration), options.subsample, options.tangential);
-  write_file_whole(options.out, tables_as_c(made));
+  write_file_whole(options.out,
+                   options.out.ends_with(".c") ? tables_as_c(made) : tables_as_flash(made));
   fmt::print("{}x{} pixels, {} bytes in all four tables\n", made.left.width, made.left.height,
              2 * made.left.weights.size() * (2 + sizeof(made.left.weights.front())));
   print_errors("left", made.left_errors, options.tangential);
@@ -116,15 +117,18 @@ void add_stereo_tables(CLI::App& stereo, Action& action) {
   CLI::App* command = stereo.add_subcommand(
       "tables", "Make the firmware's rectification tables, and say how exact");
   add_calibration(*command, *options);
-  command->add_option("--out", options->out, "The C file to write")
-      ->type_name("FILE.c")
+  command
+      ->add_option("--out", options->out, "What to write: FILE.c: C; any other: an image for flash")
+      ->type_name("FILE")
       ->required();
   command->add_option("--subsample", options->subsample, "Every n-th pixel of every n-th row")
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--tangential", options->tangential,
                     "With tangential distortion, which the firmware leaves out");
-  command->footer("Example: finback stereo tables rig.toml --out rectification.c");
+  command->footer(
+      "Example: finback stereo tables rig.toml --out tables.bin, then finback run --flash "
+      "tables.bin");
   command->callback([&action, options] { action = [options] { return tables(*options); }; });
 }
 

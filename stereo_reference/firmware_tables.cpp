@@ -73,6 +73,11 @@ void append(std::string& text, const char* name, const RectificationTable& table
   text += "\n};\n";
 }
 
+void append_16(std::string& bytes, int value) {
+  bytes += static_cast<char>(value & 0xFF);
+  bytes += static_cast<char>((value >> 8) & 0xFF);
+}
+
 }  // namespace
 
 FirmwareTables firmware_tables(const StereoCalibration& calibration, int n, bool tangential) {
@@ -105,6 +110,27 @@ std::string tables_as_c(const FirmwareTables& tables) {
   append(text, "left", tables.left);
   append(text, "right", tables.right);
   return text;
+}
+
+std::string tables_as_flash(const FirmwareTables& tables) {
+  std::string bytes = "RECT";
+  append_16(bytes, tables.left.width);
+  append_16(bytes, tables.left.height);
+  for (const RectificationTable* table : {&tables.left, &tables.right}) {
+    const auto width = static_cast<std::size_t>(table->width);
+    for (std::size_t row = 0; row < table->weights.size(); row += width) {
+      for (std::size_t n = row; n < row + width; ++n) {
+        bytes += static_cast<char>(table->column[n]);
+        bytes += static_cast<char>(table->row[n]);
+      }
+      for (std::size_t n = row; n < row + width; ++n) {
+        for (const std::int16_t weight : table->weights[n]) {
+          append_16(bytes, weight);
+        }
+      }
+    }
+  }
+  return bytes;
 }
 
 }  // namespace finback::stereo_reference

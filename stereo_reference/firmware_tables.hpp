@@ -1,4 +1,5 @@
-// The firmware's rectification tables of a calibration, as C, and what they cost in greys.
+// The firmware's rectification tables of a calibration, as C or for its flash, and what they cost
+// in greys.
 //
 // Models: pictures of every n-th pixel, as the firmware sub-samples; indices of a byte and
 // fractions of 1.15 (rectification_table), without tangential distortion unless asked for; the
@@ -37,5 +38,10 @@ struct FirmwareTables {
 
 // A C file of four constant arrays: indices and weights of the left and of the right camera.
 [[nodiscard]] std::string tables_as_c(const FirmwareTables& tables);
+
+// What the firmware looks for at the beginning of flash (firmware/mesvs2/rectify.h): the word
+// 0x54434552 ("RECT"), width and height in 16 bits each; then, row by row, the left camera's table
+// before the right one's, each row's indices before its weights. Little-endian.
+[[nodiscard]] std::string tables_as_flash(const FirmwareTables& tables);
 
 }  // namespace finback::stereo_reference

@@ -41,6 +41,11 @@ struct sic_registers {
 #define IRQ_MDMA1_STREAM(stream) (53 + (stream))
 #define IRQ_SUPPLEMENTAL_0 62
 
+/* --- external memory --- */
+
+#define FLASH_BASE 0x20000000u /* asynchronous bank 0 */
+#define EBIU_AMBCTL0 BF561_REGISTER_32(0xFFC00A04u)
+
 /* --- DMA (docs/dma.md): channels of peripherals, and of memory DMA two streams, each a destination
  * and a source channel --- */
 

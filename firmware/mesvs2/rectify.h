@@ -21,6 +21,15 @@ struct rectification_row {
   int16_t weights[MAP_WIDTH][4];     /* upper left, upper right, lower left, lower right */
 };
 
+/* What flash begins with where tables were put there (finback stereo tables); the rows of both
+ * cameras follow, the left one's first. */
+struct rectification_header {
+  uint32_t magic;
+  uint16_t width;
+  uint16_t height;
+};
+#define RECTIFICATION_MAGIC 0x54434552u /* "RECT" */
+
 /* Writes `rows` rows of MAP_WIDTH pixels, rounded to the nearest grey. */
 void rectify_rows(const uint8_t* image, const struct rectification_row* table, int rows,
                   uint8_t* rectified);

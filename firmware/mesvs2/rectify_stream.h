@@ -5,7 +5,8 @@
 
 #include <stdint.h>
 
-/* Fills the tables in L3: the identity. */
+/* Fills the tables in L3: from flash, where there are some for pictures of this size, else with the
+ * identity. */
 void rectify_start(void);
 
 /* Rectifies a pair of pictures in L1 into two in L2 or L3, all aligned to 4 bytes. Returns when

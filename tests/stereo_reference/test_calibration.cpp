@@ -251,5 +251,22 @@ TEST(FirmwareTables, AsCAreAllOfThem) {
   EXPECT_EQ(std::ranges::count(text, '{'), 4 + 4 * 19200);
 }
 
+TEST(FirmwareTables, AsFlashAreRowsOfIndicesAndWeights) {
+  const FirmwareTables tables = firmware_tables(rig(), 4, false);
+  const std::string bytes = tables_as_flash(tables);
+  ASSERT_EQ(bytes.size(), 8U + 2 * 19200 * 10);
+  EXPECT_EQ(bytes.substr(0, 8), std::string("RECT\xA0\0\x78\0", 8));
+  const auto byte = [&](std::size_t at) { return static_cast<std::uint8_t>(bytes.at(at)); };
+  // Pixel (31, 77) of the right camera.
+  const std::size_t n = 77 * 160 + 31;
+  const std::size_t row = 8 + (120 + 77) * 1600;
+  EXPECT_EQ(byte(row + 62), tables.right.column[n]);
+  EXPECT_EQ(byte(row + 63), tables.right.row[n]);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t at = row + 320 + 31 * 8 + 2 * i;
+    EXPECT_EQ(byte(at) + 256 * byte(at + 1), tables.right.weights[n][i]);
+  }
+}
+
 }  // namespace
 }  // namespace finback::stereo_reference
