@@ -32,6 +32,7 @@ void add_machine_command(CLI::App& app, Action& action);
 void add_exec_command(CLI::App& app, Action& action, std::vector<std::string> arguments);
 void add_trace_command(CLI::App& app, Action& action, std::vector<std::string> arguments);
 void add_isa_command(CLI::App& app, Action& action);
+void add_lab_command(CLI::App& app, Action& action);
 void add_stereo_command(CLI::App& app, Action& action);
 
 }  // namespace finback::cli

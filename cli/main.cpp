@@ -89,6 +89,7 @@ int parse_and_run(int argc, char** argv) {
   add_trace_command(app, action, program_arguments);
   add_machine_command(app, action);
   add_isa_command(app, action);
+  add_lab_command(app, action);
   add_stereo_command(app, action);
   try {
     app.parse(argc, argv);

@@ -36,12 +36,17 @@ fs::path firmware_file(const std::string& name) {
     return fs::path(name) / kManifest;
   }
   const std::string extension = fs::path(name).extension().string();
+  const fs::path folder = share_folder() / "firmware";
+  fs::path installed = folder / name / kManifest;
+  // "labs/modular" is an installed one unless there is something of this name here.
+  if (name.find('/') != std::string::npos && fs::path(name).is_relative() &&
+      !fs::exists(name, error) && fs::exists(installed, error)) {
+    return installed;
+  }
   if (extension == ".toml" || extension == ".bir" || assembler::is_assembler_file(name) ||
       name.find('/') != std::string::npos) {
     return name;
   }
-  const fs::path folder = share_folder() / "firmware";
-  fs::path installed = folder / name / kManifest;
   if (!fs::exists(installed, error)) {
     const std::vector<std::string> known = installed_firmwares(folder);
     const std::string near = nearest_name(name, known);

@@ -1,6 +1,7 @@
 #include <fstream>
 #include <system_error>
 
+#include <common/file.hpp>
 #include <runner/source_text.hpp>
 
 namespace finback::runner {
@@ -41,7 +42,8 @@ std::optional<std::string> SourceText::line(const std::string& file, int number)
 
 std::vector<fs::path> source_folders(const std::string& firmware_path) {
   const fs::path folder = fs::absolute(firmware_path).parent_path();
-  return {folder, folder.parent_path(), fs::current_path()};
+  return {folder, folder.parent_path(), folder.parent_path().parent_path(), fs::current_path(),
+          share_folder() / "firmware"};
 }
 
 }  // namespace finback::runner

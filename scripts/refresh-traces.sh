@@ -14,4 +14,5 @@ build/release/bin/finback run --scene aloe --frames 4 --out "$out" \
 build/release/bin/finback check firmware/budgets/mesvs2.toml --update-baseline
 # The examples of the manual pages, which show what is printed.
 FINBACK_REFRESH=1 ctest --preset release --tests-regex PageSaysWhatIsPrinted
+build/release/bin/finback lab climb --plot docs/images/ladder.png > "$out/ladder"
 git --no-pager diff --stat -- traces firmware/budgets docs
