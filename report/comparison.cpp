@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -121,6 +122,12 @@ void add_bytes(Rows& rows) {
   }
 }
 
+// Whole numbers as such.
+nlohmann::ordered_json json_number(double value) {
+  return value == std::floor(value) ? nlohmann::ordered_json(static_cast<std::uint64_t>(value))
+                                    : nlohmann::ordered_json(value);
+}
+
 std::string cell(const ComparisonRow& row, double value) {
   if (row.unit.empty() || row.unit == "B") {
     return value == 0 ? "-" : fmt::format("{:.0f}", value);
@@ -188,7 +195,7 @@ std::string comparison_json(const std::vector<NamedResult>& runs) {
     nlohmann::ordered_json object = {{"name", runs[run].name}};
     for (const ComparisonRow& row : rows) {
       object[row.section.empty() ? "summary" : metric_word(row.section)][metric_word(row.name)] =
-          row.values[run];
+          json_number(row.values[run]);
     }
     list.push_back(std::move(object));
   }

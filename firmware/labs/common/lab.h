@@ -9,7 +9,24 @@
 #include <core.h>
 #include <stdint.h>
 
-#include "../../mesvs2/stereo_config.h"
+#define CAMERA_WIDTH 640
+#define CAMERA_HEIGHT 480
+#define SUBSAMPLING 4 /* every 4th pixel of every 4th row */
+#define MAP_WIDTH (CAMERA_WIDTH / SUBSAMPLING)
+#define MAP_HEIGHT (CAMERA_HEIGHT / SUBSAMPLING)
+#define MAP_PIXELS (MAP_WIDTH * MAP_HEIGHT)
+
+#define WINDOW 15
+#define HALF_WINDOW (WINDOW / 2)
+/* A left pixel x is seen in the right image at x - d. */
+#define DISPARITY_MIN 5
+#define DISPARITY_MAX 35
+#define DISPARITY_COUNT (DISPARITY_MAX - DISPARITY_MIN + 1)
+
+/* Left columns that have at least one candidate: both windows wholly inside the images. */
+#define FIRST_COLUMN (DISPARITY_MIN + HALF_WINDOW)
+#define LAST_COLUMN (MAP_WIDTH - 1 - HALF_WINDOW)
+#define COLUMN_COUNT (LAST_COLUMN - FIRST_COLUMN + 1)
 
 #define LINE_COUNT 8 /* rows of an image that are kept until they are transformed */
 

@@ -1,6 +1,6 @@
 #include <limits.h>
 
-#include "../../mesvs2/stereo_config.h"
+#include "../common/lab.h"
 #include "kernels.h"
 
 /* A score and its k in one word: the least key has the least score and of equal ones the least
