@@ -45,25 +45,34 @@ struct Runs {
   std::string differing;  // as runner::differing_maps says
 };
 
+runner::RunInputs inputs_of(const Options& options, const Rung& rung) {
+  runner::RunRequest request = options.request;
+  request.firmware = rung.firmware;
+  if (request.max_seconds == 0) {
+    request.max_seconds = kSecondsPerFrame * request.frames;
+  }
+  return runner::load_inputs(request);
+}
+
 // Runs every rung; nothing when Ctrl-C ended it.
 std::optional<Runs> run_all(const Options& options, const std::vector<Rung>& rungs) {
   catch_interrupts();
+  std::vector<runner::RunInputs> inputs;  // all before the first run: what is wrong shows at once
+  inputs.reserve(rungs.size());
+  for (const Rung& rung : rungs) {
+    inputs.push_back(inputs_of(options, rung));
+  }
   Runs runs;
   std::vector<std::string> names;
   std::vector<std::vector<machine::PublishedMap>> maps;
-  for (const Rung& rung : rungs) {
-    runner::RunRequest request = options.request;
-    request.firmware = rung.firmware;
-    if (request.max_seconds == 0) {
-      request.max_seconds = kSecondsPerFrame * request.frames;
-    }
-    std::optional<runner::RunOutcome> outcome = run_watched(runner::load_inputs(request));
+  for (std::size_t i = 0; i < rungs.size(); ++i) {
+    std::optional<runner::RunOutcome> outcome = run_watched(inputs[i]);
     if (!outcome) {
       return std::nullopt;
     }
-    names.push_back(rung.name);
+    names.push_back(rungs[i].name);
     maps.push_back(std::move(outcome->maps));
-    runs.results.push_back({rung.name, std::move(outcome->result)});
+    runs.results.push_back({rungs[i].name, std::move(outcome->result)});
   }
   runs.differing = runner::differing_maps(names, maps);
   return runs;
