@@ -7,6 +7,15 @@
 static volatile struct dma_registers* destination_channel;
 static volatile struct dma_registers* source_channel;
 static volatile int transfer_under_way;
+
+/* What the transfers begun last write outside L1, where a data cache may hold older bytes. */
+#define L1_BEGIN 0xFF800000u
+#define CACHE_LINE 32u
+static struct {
+  uint32_t begin;
+  uint32_t end;
+} written[2];
+
 /* Of memory_dma_copy_both. */
 static volatile struct dma_large_descriptor destination_list[2];
 static volatile struct dma_large_descriptor source_list[2];
@@ -41,10 +50,28 @@ static unsigned element_log2(unsigned combined) {
   return combined % 4 != 0 ? 1 : 2;
 }
 
+static void will_write(unsigned piece, const void* destination, unsigned bytes) {
+  if ((uint32_t)destination < L1_BEGIN) {
+    written[piece].begin = (uint32_t)destination & ~(CACHE_LINE - 1);
+    written[piece].end = (uint32_t)destination + bytes;
+  }
+}
+
+/* The core's next reads of what was written come from memory. */
+static void forget_cached(void) {
+  for (unsigned piece = 0; piece < 2; ++piece) {
+    for (uint32_t line = written[piece].begin; line < written[piece].end; line += CACHE_LINE) {
+      __builtin_bfin_flushinv((const void*)line);
+    }
+    written[piece].begin = written[piece].end;
+  }
+}
+
 void memory_dma_copy(void* destination, const void* source, unsigned bytes) {
   unsigned log2 = element_log2((uint32_t)destination | (uint32_t)source | bytes);
 
   memory_dma_wait();
+  will_write(0, destination, bytes);
   source_channel->start_addr = (uint32_t)source;
   source_channel->x_count = (uint16_t)(bytes >> log2);
   source_channel->x_modify = (int16_t)(1 << log2);
@@ -66,6 +93,8 @@ void memory_dma_copy_both(const struct memory_dma_piece pieces[2]) {
   const unsigned followed = DMAFLOW_LARGE | NDSIZE(7); /* down to x_modify */
 
   memory_dma_wait();
+  will_write(0, pieces[0].destination, pieces[0].bytes);
+  will_write(1, pieces[1].destination, pieces[1].bytes);
   describe(&source_list[0], pieces[0].source, pieces[0].bytes, followed);
   describe(&source_list[1], pieces[1].source, pieces[1].bytes, DMAFLOW_STOP);
   describe(&destination_list[0], pieces[0].destination, pieces[0].bytes, followed | WNR);
@@ -84,6 +113,7 @@ void memory_dma_copy_both(const struct memory_dma_piece pieces[2]) {
 void memory_dma_gather(void* destination, const void* source, unsigned columns, unsigned rows,
                        int step, int source_width) {
   memory_dma_wait();
+  will_write(0, destination, columns * rows);
   source_channel->start_addr = (uint32_t)source;
   source_channel->x_count = (uint16_t)columns;
   source_channel->x_modify = (int16_t)step;
@@ -98,4 +128,7 @@ void memory_dma_gather(void* destination, const void* source, unsigned columns, 
   enable(WDSIZE_8 | DMA2D);
 }
 
-void memory_dma_wait(void) { WAIT_UNTIL(!transfer_under_way); }
+void memory_dma_wait(void) {
+  WAIT_UNTIL(!transfer_under_way);
+  forget_cached();
+}

@@ -27,7 +27,8 @@ void memory_dma_gather(void* destination, const void* source, unsigned columns, 
                        int step, int source_width);
 
 /* Sleeps until the transfer begun last is complete; returns at once when none was begun. Beginning
- * another one waits as well. */
+ * another one waits as well. The calling core's data cache has nothing of the destination then,
+ * which must not be cached for writing back. */
 void memory_dma_wait(void);
 
 #endif

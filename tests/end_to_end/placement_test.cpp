@@ -1,4 +1,5 @@
 // Function and timing are apart: placements and latencies change cycles and traffic, never a map.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "firmware_run.hpp"
@@ -28,6 +29,42 @@ TEST(Placement, MovingABufferChangesCyclesAndTrafficButNoMap) {
   EXPECT_GT(moved, 0U);
   EXPECT_EQ(level_bytes(before.result, "l1", "core_b") - level_bytes(after.result, "l1", "core_b"),
             moved);
+}
+
+// The placements that are shipped beside the firmware's own: as they are meant to be run.
+struct ShippedPlacement {
+  const char* name;
+  std::vector<std::pair<const char*, int>> settings;
+  double slowest;  // bounds of frames a second
+  double fastest;
+};
+
+TEST(Placement, ShippedOnesComputeTheSameMaps) {
+  const scenes::Scene scene = scenes::make_synthetic_scene();
+  const std::vector<std::uint8_t> expected = reference_map(scene);
+  const std::vector<ShippedPlacement> placements = {
+      {"best", {}, 60, 100},
+      {"all_in_l3", {}, 0.5, 2},
+      {"cache_only",
+       {{"memory.cache.data_banks", 2}, {"memory.cache.l3_policy", 1}, {"memory.cache.code", 1}},
+       5,
+       20}};
+  for (const ShippedPlacement& placement : placements) {
+    SCOPED_TRACE(placement.name);
+    runner::RunInputs inputs = mesvs2_inputs(scene, 2);
+    inputs.firmware = runner::find_firmware(
+        "mesvs2", share_folder() / "placements" / fmt::format("{}.toml", placement.name));
+    for (const auto& [parameter, value] : placement.settings) {
+      inputs.machine->set(parameter, value);
+    }
+    const runner::RunOutcome outcome = runner::run_firmware(inputs);
+    ASSERT_EQ(outcome.maps.size(), 2U);
+    EXPECT_TRUE(outcome.maps[0].bytes == expected);
+    EXPECT_TRUE(outcome.maps[1].bytes == expected) << "nothing old comes from a cache";
+    const Cycles frame = outcome.maps[1].published_at - outcome.maps[0].published_at;
+    EXPECT_GT(6e8 / static_cast<double>(frame), placement.slowest);
+    EXPECT_LT(6e8 / static_cast<double>(frame), placement.fastest);
+  }
 }
 
 // Every latency and cost at the least that its parameter allows.
