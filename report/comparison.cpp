@@ -122,6 +122,18 @@ void add_bytes(Rows& rows) {
   }
 }
 
+// A name may be a path: in quotes where it must be.
+std::string csv_field(const std::string& name) {
+  if (name.find_first_of(",\"\r\n") == std::string::npos) {
+    return name;
+  }
+  std::string quoted = "\"";
+  for (const char c : name) {
+    quoted += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return quoted + '"';
+}
+
 // Whole numbers as such.
 nlohmann::ordered_json json_number(double value) {
   return value == std::floor(value) ? nlohmann::ordered_json(static_cast<std::uint64_t>(value))
@@ -206,7 +218,7 @@ std::string comparison_json(const std::vector<NamedResult>& runs) {
 std::string comparison_csv(const std::vector<NamedResult>& runs) {
   std::string text = "section,name,unit";
   for (const NamedResult& run : runs) {
-    text += "," + run.name;
+    text += "," + csv_field(run.name);
   }
   text += '\n';
   for (const ComparisonRow& row : comparison_rows(runs)) {
