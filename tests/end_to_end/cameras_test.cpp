@@ -70,7 +70,7 @@ TEST(Cameras, BothFirmwaresKeepUpWithThirtyFramesASecond) {
 
 TEST(Cameras, DroppedAndLateFramesAreSkippedAndCounted) {
   const char* chosen = std::getenv("FINBACK_CAMERA_FRAMES");
-  const auto frames = static_cast<std::uint32_t>(chosen != nullptr ? std::atoi(chosen) : 40);
+  const auto frames = static_cast<std::uint32_t>(chosen != nullptr ? std::atoi(chosen) : 24);
   runner::RunInputs inputs = camera_inputs("mesvs2_cameras", frames);
   inputs.camera_troubles = many_troubles(2 * frames);
   std::string said;
@@ -94,11 +94,11 @@ TEST(Cameras, DroppedAndLateFramesAreSkippedAndCounted) {
 }
 
 TEST(Cameras, RacesAreNoneWhereFramesAreDroppedAndLate) {
-  runner::RunInputs inputs = camera_inputs("mesvs2_cameras", 12);
+  runner::RunInputs inputs = camera_inputs("mesvs2_cameras", 7);
   inputs.camera_troubles = many_troubles(30);
   inputs.check_races = true;
   const runner::RunOutcome outcome = runner::run_firmware(inputs);
-  EXPECT_EQ(outcome.maps.size(), 12U);
+  EXPECT_EQ(outcome.maps.size(), 7U);
   for (const machine::RaceReport& race : outcome.races) {
     ADD_FAILURE() << race.object << ": " << race.earlier << "; " << race.later;
   }

@@ -48,6 +48,29 @@ TEST(FirmwareMap, EqualsReferenceOnEveryFrameOfAPipelinedRun) {
   }
 }
 
+#ifdef FINBACK_QVGA
+TEST(FirmwareMap, PicturesOf320x240EqualTheReference) {
+  const scenes::Scene scene = scenes::make_synthetic_scene();
+  const auto sampled = [](const scenes::ByteImage& image) {
+    scenes::ByteImage small(320, 240);
+    for (int y = 0; y < 240; ++y) {
+      for (int x = 0; x < 320; ++x) {
+        small.at(x, y) = image.at(2 * x, 2 * y);
+      }
+    }
+    return small;
+  };
+  const scenes::ByteImage left = sampled(scene.left);
+  const scenes::ByteImage expected = stereo_reference::post_process(
+      stereo_reference::disparity_map(left, sampled(scene.right), {15, 10, 25}), left);
+  const runner::RunOutcome outcome = runner::run_firmware(firmware_inputs(FINBACK_QVGA, scene, 2));
+  ASSERT_EQ(outcome.maps.size(), 2U);
+  EXPECT_EQ(outcome.maps[0].width, 320U);
+  EXPECT_TRUE(outcome.maps[0].bytes == expected.pixels());
+  EXPECT_TRUE(outcome.maps[1].bytes == expected.pixels());
+}
+#endif
+
 struct DataSet {
   const char* folder;  // below middlebury/
   const char* left;
