@@ -6,6 +6,7 @@
 
 #include "matching.h"
 #include "postprocess.h"
+#include "settings.h"
 #include "shared_buffers.h"
 #include "stereo_config.h"
 #include "transform.h"
@@ -76,9 +77,20 @@ __attribute__((noinline)) void publish_map(unsigned frame_number) {
   core_interrupt_raise(CORE_A);
 }
 
+static void read_settings(void) {
+  int wrong = settings_read((const char*)SETTINGS_ADDRESS);
+  char line[] = "settings in flash: line 1 is none; such as: texture_threshold 140\n";
+  if (wrong != 0) {
+    line[24] = (char)('0' + (wrong < 10 ? wrong : 9));
+    host_print(line);
+    host_exit(2);
+  }
+}
+
 int main(void) {
   int slot = 0;
 
+  read_settings();
   memory_dma_start(CORE_B);
   core_interrupt_start(CORE_B);
   events_enable();

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "settings.h"
 #include "variance.h"
 
 /* One more row than the window has, so that the leaving one is still there; a power of two. */
@@ -17,10 +18,11 @@ uint8_t checked_rows[HISTORY_ROWS][MAP_WIDTH];
 /* One bit for each variance of the row that is at most the threshold. */
 __attribute__((noinline)) void flag_plain_windows(uint32_t* flags) {
   const uint32_t* variance = variance_row;
+  uint32_t threshold = SCALED_VARIANCE(settings.texture_threshold);
   for (int word = 0; word < FLAG_WORDS; ++word) {
     uint32_t bits = 0;
     for (int x = 0; x < 32; ++x) {
-      bits = bits >> 1 | (uint32_t)(*variance++ <= SCALED_VARIANCE(TEXTURE_THRESHOLD)) << 31;
+      bits = bits >> 1 | (uint32_t)(*variance++ <= threshold) << 31;
     }
     *flags++ = bits;
   }
@@ -55,12 +57,13 @@ static void enter_checked_row(int y) {
 /* `disparities` belongs to the pixels at the centre of the windows. */
 static void drop_torn_pixels(const uint32_t* plain, uint8_t* disparities) {
   const uint32_t* variances = variance_row;
+  uint32_t threshold = SCALED_VARIANCE(settings.disparity_threshold);
   uint8_t* corner = disparities - HALF_VARIANCE_WINDOW;
   for (int word = 0; word < FLAG_WORDS; ++word) {
     const uint32_t* variance = variances;
     uint8_t* disparity = corner;
     for (uint32_t flags = *plain++; flags != 0; flags >>= 1) {
-      if ((flags & 1) != 0 && *variance >= SCALED_VARIANCE(DISPARITY_THRESHOLD)) {
+      if ((flags & 1) != 0 && *variance >= threshold) {
         *disparity = 0;
       }
       ++variance;

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "firmware_copy.hpp"
 #include "firmware_run.hpp"
+#include <common/error.hpp>
 
 namespace finback {
 namespace {
@@ -46,6 +48,28 @@ TEST(FirmwareMap, EqualsReferenceOnEveryFrameOfAPipelinedRun) {
     EXPECT_EQ(outcome.maps[frame].frame_number, frame);
     EXPECT_EQ(outcome.maps[frame].bytes, expected) << "frame " << frame;
   }
+}
+
+// Settings in flash change what is kept, and one that is none is refused.
+TEST(FirmwareMap, SettingsInFlashAreHeld) {
+  const scenes::Scene scene = scenes::make_synthetic_scene();
+  const FirmwareCopy copy("settings");
+  const fs::path file = copy.folder() / "settings.txt";
+  const auto run_with = [&](const std::string& text) {
+    write_file_whole(file, text);
+    runner::RunInputs inputs = mesvs2_inputs(scene);
+    ir::add_flash(inputs.firmware.firmware.units, "settings", file, 0x20100000, {});
+    return runner::run_firmware(inputs);
+  };
+  const scenes::ByteImage left = stereo_reference::subsample_by_4(scene.left);
+  const scenes::ByteImage map =
+      stereo_reference::disparity_map(left, stereo_reference::subsample_by_4(scene.right), {}, 0);
+  const scenes::ByteImage expected = stereo_reference::post_process(map, left, {9, 2000, 3});
+  EXPECT_TRUE(run_with("lrc_threshold 0\ntexture_threshold 2000\ndisparity_threshold 3\n")
+                  .maps.at(0)
+                  .bytes == expected.pixels());
+  EXPECT_NE(expected.pixels(), reference_map(scene));
+  EXPECT_THROW((void)run_with("lrc_threshold 0\nwindow 9\n"), GuestFault);
 }
 
 #ifdef FINBACK_QVGA

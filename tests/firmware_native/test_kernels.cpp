@@ -14,6 +14,7 @@ extern "C" {
 #include "matching.h"
 #include "postprocess.h"
 #include "rectify.h"
+#include "settings.h"
 #include "shd.h"
 #include "stereo_config.h"
 #include "transform.h"
@@ -88,8 +89,10 @@ void expect_equal(const ByteImage& left, const ByteImage& right) {
   const ByteImage truth = stereo_reference::post_process(
       stereo_reference::check_left_right(
           stereo_reference::match_by(measure(), codes(left), codes(right), kParameters),
-          LRC_THRESHOLD),
-      left, {VARIANCE_WINDOW, TEXTURE_THRESHOLD, DISPARITY_THRESHOLD});
+          static_cast<int>(settings.lrc_threshold)),
+      left,
+      {VARIANCE_WINDOW, static_cast<double>(settings.texture_threshold),
+       static_cast<double>(settings.disparity_threshold)});
   for (int y = 0; y < MAP_HEIGHT; ++y) {
     for (int x = 0; x < MAP_WIDTH; ++x) {
       ASSERT_EQ(map.at(x, y), truth.at(x, y)) << "column " << x << ", row " << y;
@@ -169,6 +172,33 @@ TEST(FirmwareKernels, AFrameDoesNotDependOnTheOneBefore) {
   const ByteImage first = firmware_map(left, right);
   (void)firmware_map(right, left);
   EXPECT_EQ(firmware_map(left, right), first);
+}
+
+TEST(FirmwareKernels, SettingsAreReadAndHeld) {
+  const struct settings before = settings;
+  EXPECT_EQ(settings_read("\xFF\xFF"), 0);
+  EXPECT_EQ(settings_read(""), 0);
+  EXPECT_EQ(settings.texture_threshold, before.texture_threshold);
+  EXPECT_EQ(settings_read("lrc_threshold 3\ntexture_threshold 9000\ndisparity_threshold 4\n\xFF"),
+            0);
+  std::mt19937 generator(26);
+  expect_equal(random_image(generator, 200), random_image(generator, 200));
+  EXPECT_EQ(settings.lrc_threshold, 3U);
+  EXPECT_EQ(settings.texture_threshold, 9000U);
+  EXPECT_EQ(settings.disparity_threshold, 4U);
+  settings = before;
+}
+
+TEST(FirmwareKernels, SettingsThatAreNoneAreRefused) {
+  const struct settings before = settings;
+  for (const char* text :
+       {"texture_threshold 65026\n", "lrc_threshold 256\n", "lrc_threshold 4294967297\n",
+        "lrc_threshold \n", "lrc_threshold 1", "lrc_threshold 1 \n", "lrc_threshold\n", "lrc 1\n",
+        " \n", "lrc_threshold -1\n"}) {
+    EXPECT_EQ(settings_read(text), 1) << text;
+  }
+  EXPECT_EQ(settings_read("lrc_threshold 2\nwindow 9\n"), 2);
+  settings = before;
 }
 
 TEST(FirmwareKernels, MapsOfScenesEqualTheReference) {

@@ -1,0 +1,22 @@
+/* Numbers that need no compiling: lines such as "texture_threshold 140" in flash, read at the
+ * start (finback run --flash settings.txt@0x20100000). What is not named keeps what
+ * stereo_config.h says. */
+#ifndef MESVS2_SETTINGS_H
+#define MESVS2_SETTINGS_H
+
+#include <stdint.h>
+
+#define SETTINGS_ADDRESS 0x20100000u
+
+struct settings {
+  uint32_t lrc_threshold;       /* 0 to 255: largest difference of the two views' disparities */
+  uint32_t texture_threshold;   /* 0 to 65025, squared grey levels: equation 19's T_L */
+  uint32_t disparity_threshold; /* 0 to 65025, squared pixels: T_H; 65025: no post-processing */
+};
+extern struct settings settings;
+
+/* Reads lines of a name, a space and a number, up to the first byte that is no text: flash without
+ * settings has none. Returns 0, or the number of the first line that is wrong. */
+int settings_read(const char* text);
+
+#endif
