@@ -216,6 +216,7 @@ void DmaController::change_clock(const clock::ClockChange& change) {
     for (Cycles& until : busy_until_) {
       until = change.system_time(until);
     }
+    ask_again_at_ = ask_again_at_ == kNever ? kNever : change.at;
   }
   plan_next_event(change.at);
 }
@@ -275,8 +276,10 @@ void DmaController::act(std::uint32_t lane, Cycles now) {
 
 // Gives every memory that this controller has no burst on to the first of those who want it.
 void DmaController::arbitrate(Cycles now) {
+  constexpr auto kExternal = static_cast<std::size_t>(memory::DmaPort::external);
   std::array<Choice, kPortCount> choices;
   waited_for_.fill(false);
+  bool urgent_waits = false;
   for_each_bit(active_, [&](std::uint32_t lane) {
     const std::optional<MemorySide::Want> want = lanes_[lane].side->want(now);
     if (!want) {
@@ -288,6 +291,7 @@ void DmaController::arbitrate(Cycles now) {
     const auto port = static_cast<std::size_t>(want->port);
     if (busy_until_[port] > now) {
       waited_for_[port] = true;
+      urgent_waits = urgent_waits || (port == kExternal && urgent(lane));
       return;
     }
     Choice& choice = choices[port];
@@ -299,6 +303,10 @@ void DmaController::arbitrate(Cycles now) {
       choice.direction = want->direction;
     }
   });
+  if (which_ != Controller::imdma) {
+    memory_.external_bus().set_urgent(static_cast<std::size_t>(which_), urgent_waits);
+    ask_for_bus(choices[kExternal], now);
+  }
   bool failed = false;
   for (std::size_t port = 0; port < kPortCount; ++port) {
     if (choices[port].lane != kNoLane) {
@@ -307,6 +315,21 @@ void DmaController::arbitrate(Cycles now) {
   }
   if (failed) {
     arbitrate(now);
+  }
+}
+
+// Takes the choice back when others go before it on the external bus.
+void DmaController::ask_for_bus(Choice& choice, Cycles now) {
+  const auto number = static_cast<std::size_t>(which_);
+  ask_again_at_ = kNever;
+  if (choice.lane == kNoLane) {
+    memory_.external_bus().nothing_asked(number);
+    return;
+  }
+  const Cycles from = memory_.external_bus().dma_from(number, urgent(choice.lane), now);
+  if (from > now) {
+    ask_again_at_ = from;
+    choice.lane = kNoLane;
   }
 }
 
@@ -398,7 +421,7 @@ void DmaController::settle(Cycles now) {
 }
 
 void DmaController::plan_next_event(Cycles now) {
-  next_event_ = kNever;
+  next_event_ = ask_again_at_;
   for_each_bit(active_, [this](std::uint32_t lane) {
     next_event_ = std::min(next_event_, lanes_[lane].side->next_event_time());
   });

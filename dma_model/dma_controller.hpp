@@ -105,6 +105,7 @@ class DmaController final : public Device {
 
   void act(std::uint32_t lane, Cycles now);
   void arbitrate(Cycles now);
+  void ask_for_bus(Choice& choice, Cycles now);
   bool grant(const Choice& choice, memory::DmaPort port, Cycles now);
   [[nodiscard]] bool urgent(std::uint32_t lane) const;
   [[nodiscard]] bool other_stream_runs(std::uint32_t lane) const;
@@ -138,6 +139,7 @@ class DmaController final : public Device {
   TrafficControl traffic_;
   std::array<Cycles, kPortCount> busy_until_{};
   std::array<bool, kPortCount> waited_for_{};
+  Cycles ask_again_at_ = kNever;             // for the external bus
   std::array<bool, kErrorLine + 1> line_{};  // peripheral channels, two streams, errors
   std::uint32_t active_ = 0;                 // bit by lane: its channel may run
 };

@@ -103,7 +103,9 @@ Cycles AsyncTiming::posted_write(Address address, std::uint32_t bytes, Cycles st
 }
 
 Cycles AsyncTiming::dma_start(bool write, Address address, Cycles now) {
-  return bus_.acquire(now, async_bank(address), write) + ratio_.cycles(dma_overhead_);
+  const Cycles start = bus_.acquire(now, async_bank(address), write);
+  bus_.is_dma();
+  return start + ratio_.cycles(dma_overhead_);
 }
 
 Cycles AsyncTiming::dma_words(bool write, Address address, std::uint32_t count, std::uint32_t bytes,

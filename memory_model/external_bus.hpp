@@ -1,11 +1,16 @@
 // The one external bus, on which the SDRAM and the asynchronous memories take turns.
 //
 // Models: one access at a time, each for the whole of its time; the idle time that an asynchronous
-// bank wants between its read and an access to somebody else. Does not model: bus requests from
-// outside the chip (BR, BG), the phase of SCLK. Source: hardware.md 2.4, 2.5.
+// bank wants between its read and an access to somebody else; who goes first: urgent DMA, cores,
+// DMA, or with CDPRIO urgent DMA, DMA, cores, and whoever was passed over for long is next. Does
+// not model: an access that is broken off; precedence of one core over the other and of line fills
+// over single accesses beyond the order of asking; DMA before posted writes that are in line
+// already; bus requests from outside the chip (BR, BG). Source: hardware.md 2.4, 2.5.
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include <clock_model/clock_ratio.hpp>
 #include <common/units.hpp>
@@ -17,6 +22,54 @@ class ExternalBus {
   // Somebody on the bus that is not an asynchronous bank.
   static constexpr int kSynchronous = -1;
 
+  // `patience`: the longest that an access is passed over by those that go before it, in SCLK.
+  ExternalBus(Cycles patience, clock::ClockRatio ratio)
+      : patience_sclk_(patience), patience_(ratio.cycles(patience)) {
+    standing_since_.fill(kNever);
+    asking_since_.fill(kNever);
+  }
+
+  // --- who goes first ---
+  // CDPRIO of EBIU_AMGCTL: DMA goes before the cores.
+  void set_dma_first(bool first) { dma_first_ = first; }
+  // From when on a core may ask for the bus: `now`, or, while DMA that goes before it has it, the
+  // time at which to call again. A core that may ask is in line at once.
+  [[nodiscard]] Cycles core_from(int core, Cycles now) {
+    Cycles& since = standing_since_[static_cast<std::size_t>(core)];
+    const bool gives_way =
+        free_at_ > now && held_by_dma_ && (dma_first_ || urgent_[0] || urgent_[1]);
+    if (!gives_way || (since != kNever && now - since >= patience_)) {
+      since = kNever;
+      return now;
+    }
+    since = std::min(since, now);
+    return free_at_;
+  }
+  // The same for the burst that DMA `controller` (0 or 1) wants next: while the bus is taken, DMA
+  // is not in line, so that a core that asks meanwhile goes before it. Of two controllers that wait
+  // the one goes first that waits for longer.
+  [[nodiscard]] Cycles dma_from(std::size_t controller, bool urgent, Cycles now) {
+    Cycles& since = asking_since_[controller];
+    since = std::min(since, now);
+    if (dma_first_ || urgent || now - since >= patience_) {
+      since = kNever;
+      return now;
+    }
+    if (free_at_ > now) {
+      return std::min(free_at_, since + patience_);
+    }
+    if (asking_since_[1 - controller] < since) {
+      return now + 1;  // the other one acts at this time, too
+    }
+    since = kNever;
+    return now;
+  }
+  // It wants nothing any more. `urgent`: it has something urgent behind its burst that is under
+  // way.
+  void nothing_asked(std::size_t controller) { asking_since_[controller] = kNever; }
+  void set_urgent(std::size_t controller, bool urgent) { urgent_[controller] = urgent; }
+
+  // --- the bus ---
   // From when on an access that was asked for at `now` can have the bus: behind those who have it.
   // `bank`: of asynchronous memory, or kSynchronous.
   [[nodiscard]] Cycles acquire(Cycles now, int bank = kSynchronous, bool write = false) {
@@ -25,8 +78,11 @@ class ExternalBus {
       from_ = std::max(from_, free_at_ + transition_);
     }
     last_read_ = kSynchronous;
+    held_by_dma_ = false;
     return from_;
   }
+  // The access that acquired the bus last is DMA's.
+  void is_dma() { held_by_dma_ = true; }
   // The access that acquired the bus last begins later (a refresh comes before it).
   void delay_to(Cycles start) { from_ = start; }
   // It holds the bus until `end`.
@@ -47,6 +103,7 @@ class ExternalBus {
     free_at_ = change.system_time(free_at_);
     from_ = change.system_time(from_);
     transition_ = change.to.cycles(change.from.left(transition_));
+    patience_ = change.to.cycles(patience_sclk_);
   }
 
  private:
@@ -55,6 +112,14 @@ class ExternalBus {
   int last_read_ = kSynchronous;
   Cycles transition_ = 0;
   Cycles busy_cycles_ = 0;
+
+  Cycles patience_sclk_;
+  Cycles patience_;
+  bool dma_first_ = false;
+  bool held_by_dma_ = false;
+  std::array<Cycles, kCoreCount> standing_since_;  // kNever: the core does not give way
+  std::array<Cycles, 2> asking_since_;             // by DMA controller; kNever: it does not wait
+  std::array<bool, 2> urgent_{};
 };
 
 }  // namespace finback::memory

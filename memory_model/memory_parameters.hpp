@@ -147,6 +147,11 @@ struct MemoryParameters final : ParameterGroup {
       this,
       {"memory.sdram.page_bytes", "bytes", 2048, 256, 65536, 'V', "hardware.md 2.4",
        "bytes of one row over the bus: 9 column bits on 32 bits"}};
+  IntegerParameter external_patience_sclk{
+      this,
+      {"memory.external.patience_sclk", "SCLK", 64, 0, 100000, 'E', "hardware.md 2.5",
+       "the longest that others go before a core or a DMA controller on the external port by "
+       "precedence; then it is next (0: the order of asking)"}};
   IntegerParameter async_core_read_overhead_sclk{
       this,
       {"memory.async.core_read_overhead_sclk", "SCLK", 5, 0, 64, 'E', "hardware.md 2.4",

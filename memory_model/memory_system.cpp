@@ -40,6 +40,7 @@ MemorySystem::MemorySystem(MemoryMap map, const MemoryParameters& parameters,
       imdma_overhead_(static_cast<Cycles>(parameters.imdma_overhead_cycles)),
       imdma_word_(static_cast<Cycles>(parameters.imdma_word_cycles)),
       l2_(parameters, ratio_, only_region(map_, Level::l2)),
+      bus_(static_cast<Cycles>(parameters.external_patience_sclk), ratio_),
       sdram_(parameters, clock, only_region(map_, Level::l3), bus_),
       async_(parameters, ratio_, bus_) {
   for (WriteBuffer& buffer : write_buffers_) {

@@ -219,6 +219,16 @@ class MemorySystem {
   // --- the external port's registers ---
   [[nodiscard]] SdramTiming& sdram() { return sdram_; }
   [[nodiscard]] AsyncTiming& asynchronous() { return async_; }
+  [[nodiscard]] ExternalBus& external_bus() { return bus_; }
+  // From when on `core` may read L3: ExternalBus::core_from. What it waits counts as the span's
+  // stall, where there is one.
+  [[nodiscard]] Cycles core_turn(int core, Span* span, Cycles now) {
+    const Cycles from = bus_.core_from(core, now);
+    if (span != nullptr) {
+      span->traffic[static_cast<std::size_t>(core)][0].stall_cycles += from - now;
+    }
+    return from;
+  }
 
   // From now on. Posted writes and words in L1 that are on their way arrive as they would have.
   void change_clock(const clock::ClockChange& change);

@@ -101,7 +101,9 @@ Cycles SdramTiming::refresh(Cycles start) {
 Cycles SdramTiming::dma_start(bool write, Cycles now) {
   const Cycles turn = write == last_dma_write_ ? 0 : turnaround_;
   last_dma_write_ = write;
-  return acquire(now) + turn + dma_overhead_ + (write ? twr_ : cl_);
+  const Cycles start = acquire(now);
+  bus_.is_dma();
+  return start + turn + dma_overhead_ + (write ? twr_ : cl_);
 }
 
 Cycles SdramTiming::dma_words(bool write, Address address, std::int32_t stride, std::uint32_t count,

@@ -1,10 +1,8 @@
 // What accesses to the SDRAM on the external bus cost.
 //
-// Models: one bus, reserved first come first served in whole accesses (a core waits for the DMA
-// burst in progress, and DMA asks again after every burst, which gives cores precedence between
-// bursts); one open row per internal bank; tRCD, tRP, tRAS, tWR, CL; refresh at fixed times, which
-// closes all rows. Does not model: the phase of SCLK, command overlap between banks, the CDPRIO
-// swap. Source: hardware.md 2.4, 2.5.
+// Models: one open row per internal bank; tRCD, tRP, tRAS, tWR, CL; refresh at fixed times, which
+// closes all rows. Who has the bus is external_bus.hpp's. Does not model: the phase of SCLK,
+// command overlap between banks. Source: hardware.md 2.4, 2.5.
 #pragma once
 
 #include <algorithm>

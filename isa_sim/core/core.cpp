@@ -62,7 +62,9 @@ struct Core::Hooks {
   // To L2 or L3, past the data cache.
   static std::uint8_t* far_access(Core& c, const Operation& o, memory::Span* span, Address address,
                                   int bytes, bool write, bool continued) {
-    if (!continued && c.wait_for_turn(o)) {
+    const bool far = span->level == memory::Level::l3;
+    if (!continued &&
+        (c.wait_for_turn(o) || (far && !write && c.give_way(o, span, address, Cause::l3_read)))) {
       return nullptr;
     }
     c.tell_access(o, address, bytes, write);
@@ -72,7 +74,6 @@ struct Core::Hooks {
             : c.memory_.note_read(address, size, c.accessor(o), c.now(o));
     }
     c.add_far_bytes(o, static_cast<std::size_t>(span->level), bytes);
-    const bool far = span->level == memory::Level::l3;
     if (write) {
       c.add_stall(o, far ? Cause::l3_write : Cause::l2_write,
                   c.memory_.core_write(c.number_, span, address, bytes, c.now(o)), address);
@@ -471,6 +472,16 @@ bool Core::wait_for_turn(const Operation& operation) {
   if (now(operation) < turn_.shared_until) {
     return false;
   }
+  state_.retry = &operation;
+  return true;
+}
+
+bool Core::give_way(const Operation& operation, memory::Span* span, Address address, Cause cause) {
+  const Cycles from = memory_.core_turn(number_, span, now(operation));
+  if (from == now(operation)) {
+    return false;
+  }
+  add_stall(operation, cause, from - now(operation), address);
   state_.retry = &operation;
   return true;
 }

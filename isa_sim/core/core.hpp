@@ -197,6 +197,10 @@ class Core {
   }
   [[nodiscard]] LevelBytes bytes_of(std::uint32_t packet, std::uint64_t executions) const;
   [[nodiscard]] bool wait_for_turn(const isa::Operation& operation);
+  // Whether a read of L3 gives way to DMA: it then waits, by `cause`, and is to be repeated.
+  // `span`: of uncached data.
+  [[nodiscard]] bool give_way(const isa::Operation& operation, memory::Span* span, Address address,
+                              Cause cause);
   [[nodiscard]] Cycles now(const isa::Operation& operation) const {
     return state_.time + operation.cycle;
   }

@@ -17,14 +17,15 @@ memory::CachePolicy Core::cache_policy(memory::Level level, Address address) {
 std::uint8_t* Core::cached_access(const Operation& operation, memory::Span* span, Address address,
                                   int bytes, bool write, bool continued,
                                   memory::CachePolicy policy) {
+  const bool far = span->level == memory::Level::l3;
   if (!continued && !memory_.stays_in_cache(number_, address, write, policy) &&
-      wait_for_turn(operation)) {
+      (wait_for_turn(operation) ||
+       (far && !write && give_way(operation, nullptr, address, Cause::data_cache)))) {
     return nullptr;
   }
   tell_access(operation, address, bytes, write);
   const memory::CachedAccess access = memory_.cached_access(number_, span, address, bytes, write,
                                                             policy, operation.site, now(operation));
-  const bool far = span->level == memory::Level::l3;
   if (access.through) {
     add_far_bytes(operation, static_cast<std::size_t>(span->level), bytes);
   }
@@ -97,8 +98,9 @@ bool Core::fetch_code(const Operation& operation) {
   if (protection_.guards_fetch()) {
     page = protection_.code_page(first);
   }
+  const bool far = level == memory::Level::l3;
   if (!page.cached || !memory_.code_cache_on(number_)) {
-    if (wait_for_turn(operation)) {
+    if (wait_for_turn(operation) || (far && give_way(operation, nullptr, first, Cause::fetch))) {
       return false;
     }
     for (Address at = first; at != end; at += bytes) {
@@ -109,7 +111,9 @@ bool Core::fetch_code(const Operation& operation) {
   }
   const Address step = std::min(bytes, memory::kLineBytes);
   for (Address at = first; at != end; at += step) {
-    if (!memory_.code_cache_holds(number_, at) && wait_for_turn(operation)) {
+    if (!memory_.code_cache_holds(number_, at) &&
+        (wait_for_turn(operation) ||
+         (far && give_way(operation, nullptr, at, Cause::code_cache)))) {
       return false;
     }
   }

@@ -41,8 +41,8 @@ constexpr Field kCl{2, 3}, kTras{6, 0xF}, kTrp{11, 7}, kTrcd{15, 7}, kTwr{19, 3}
 constexpr std::uint32_t kTimeBits = 3U << 2 | 0xFU << 6 | 7U << 11 | 7U << 15 | 3U << 19;
 constexpr std::uint32_t kSelfRefresh = 1U << 24;
 
-constexpr std::uint32_t kCoreDmaPriority = 1U << 8;  // of AMGCTL
-constexpr std::uint32_t kIdle = 1U << 0;             // of SDSTAT
+constexpr std::uint32_t kDmaFirst = 1U << 8;  // CDPRIO of AMGCTL
+constexpr std::uint32_t kIdle = 1U << 0;      // of SDSTAT
 
 }  // namespace
 
@@ -71,12 +71,7 @@ std::uint32_t ExternalPort::read(std::uint32_t offset, int /*bytes*/, Cycles /*n
 void ExternalPort::write(std::uint32_t offset, int /*bytes*/, std::uint32_t value, Cycles /*now*/) {
   switch (offset) {
     case kAsyncGlobal:
-      if ((value & kCoreDmaPriority) != 0) {
-        throw GuestFault(
-            fmt::format("EBIU_AMGCTL = {:#06x}: CDPRIO (bit 8), DMA before cores on the "
-                        "external port, is not modelled; leave it 0",
-                        value));
-      }
+      memory_.external_bus().set_dma_first((value & kDmaFirst) != 0);
       memory_.asynchronous().set_global(value);
       break;
     case kAsyncBanks0:

@@ -69,10 +69,11 @@ TEST_F(ExternalPortTest, WhatCannotBeIsRefused) {
   refused(kGlobal, 0x919985, "CL 1");
   refused(kGlobal, 0x191998D, "self-refresh");
   refused(kBank, 0x13, "0x00000015");
-  refused(0, 0x100, "CDPRIO");
   write(kBank, 0x15);
   write(0, 0xF3);
   EXPECT_EQ(read(0), 0xF3U);
+  write(0, 0x1F3);  // CDPRIO
+  EXPECT_EQ(read(0), 0x1F3U);
 }
 
 TEST_F(ExternalPortTest, AsynchronousBanksAreAsAmbctlSays) {
