@@ -13,14 +13,14 @@ namespace finback::cli {
 
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kAnnotateExamples =
     "Examples:\n"
     "  finback annotate shd_update_row\n"
     "  finback annotate memory_copy --core b --place core_b.shd_scores=l3\n"
     "  finback annotate census_row --color always | less -R\n"
     "finback profile tells which functions are worth it. More: docs/finback-annotate.md";
 
-struct Options {
+struct AnnotateOptions {
   runner::RunRequest request;
   std::string function;
   std::string core;
@@ -29,7 +29,7 @@ struct Options {
   bool json = false;
 };
 
-int annotate(const Options& options) {
+int annotate(const AnnotateOptions& options) {
   catch_interrupts();
   const runner::RunInputs inputs = runner::load_inputs(options.request);
   const std::optional<runner::RunOutcome> outcome = run_watched(inputs);
@@ -55,10 +55,10 @@ int annotate(const Options& options) {
 }  // namespace
 
 void add_annotate_command(CLI::App& app, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AnnotateOptions>();
   CLI::App* command = app.add_subcommand(
       "annotate", "A function's source and code, with the cycles of each line and why");
-  command->footer(kExamples);
+  command->footer(kAnnotateExamples);
   command->add_option("function", options->function, "C name of the function")->required();
   command
       ->add_option("--core", options->core,

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kCheckExamples =
     "Examples:\n"
     "  finback check budgets.toml\n"
     "  finback check budgets.toml --list 'core_b.*'\n"
@@ -32,7 +32,7 @@ constexpr const char* kExamples =
     "  finback check budgets.toml --update-baseline\n"
     "Exits with 3 when a limit is broken. More: docs/finback-check.md";
 
-struct Options {
+struct CheckOptions {
   runner::RunRequest given;  // on the command line, over the file's [run]
   std::string budget;
   std::string result;
@@ -52,7 +52,7 @@ struct Judged {
 };
 
 // Runs what [run] and the command line say, or loads --result. Empty when interrupted.
-std::optional<Judged> obtain(const Options& options, const runner::RunRequest& request) {
+std::optional<Judged> obtain(const CheckOptions& options, const runner::RunRequest& request) {
   if (!options.result.empty()) {
     return Judged{report::load_result(options.result), options.result};
   }
@@ -63,7 +63,7 @@ std::optional<Judged> obtain(const Options& options, const runner::RunRequest& r
   return Judged{std::move(outcome->result), "this run"};
 }
 
-runner::RunRequest request_of(const CLI::App& command, const Options& options,
+runner::RunRequest request_of(const CLI::App& command, const CheckOptions& options,
                               const TomlReader& reader, const budget::Budget& budget) {
   runner::RunRequest request;
   const toml::table* table = reader.table(reader.root(), "run");
@@ -87,7 +87,7 @@ report::RunResult load_baseline(const budget::Budget& budget) {
   return report::load_result(budget.baseline);
 }
 
-int list(const Options& options, const report::RunResult& result) {
+int list(const CheckOptions& options, const report::RunResult& result) {
   std::size_t width = 0;
   std::vector<std::string> names;
   const budget::Metrics metrics = report::metrics_of(result);
@@ -163,7 +163,7 @@ void write_report(const fs::path& path, const std::string& text) {
 }
 
 // The terminal first: a report that cannot be written must not hide the verdict.
-int report_verdict(const Options& options, const budget::Verdict& verdict) {
+int report_verdict(const CheckOptions& options, const budget::Verdict& verdict) {
   fmt::print("{}", budget::to_text(verdict, options.all));
   if (options.github) {
     fmt::print("{}", budget::to_github(verdict));
@@ -177,7 +177,7 @@ int report_verdict(const Options& options, const budget::Verdict& verdict) {
   return verdict.passed() ? kFine : kBudgetBroken;
 }
 
-int check(const CLI::App& command, const Options& options) {
+int check(const CLI::App& command, const CheckOptions& options) {
   catch_interrupts();
   const TomlReader reader(read_text_file(options.budget), options.budget);
   const budget::Budget budget = budget::read_budget(reader);
@@ -215,10 +215,10 @@ int check(const CLI::App& command, const Options& options) {
 }  // namespace
 
 void add_check_command(CLI::App& app, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand(
       "check", "Hold a run against budgets: does it still fit, and if not, why?");
-  command->footer(kExamples);
+  command->footer(kCheckExamples);
   command->add_option("budgets", options->budget, "Budgets file (TOML)")->required();
   CLI::Option* list =
       command

@@ -20,6 +20,9 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
+// Threads that one may ask for.
+constexpr unsigned kMostJobs = 256;
+
 using Action = std::function<int()>;
 
 // Set `action` when their subcommand is the one that was given.

@@ -20,14 +20,14 @@ namespace finback::cli {
 
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kExecExamples =
     "Examples:\n"
     "  finback exec prog.s\n"
     "  finback exec -I include --defsym DEBUG=1 start.s prog.s -- an argument\n"
     "  finback exec --environment chip --dump-registers boot.s\n"
     "The exit code is the program's. More: docs/finback-exec.md, docs/assembler.md";
 
-struct Options {
+struct ExecOptions {
   ProgramOptions program;
   std::string json;
   std::uint64_t max_cycles = 0;
@@ -64,7 +64,7 @@ void print_summary(const report::RunResult& result) {
   fmt::print(stderr, "{}", page.take());
 }
 
-int run(const Options& options) {
+int run(const ExecOptions& options) {
   catch_interrupts();
   const runner::RunInputs inputs = runner::load_program(options.program.request());
   runner::ProgramRun run = options.program.run();
@@ -106,11 +106,11 @@ int run(const Options& options) {
 }  // namespace
 
 void add_exec_command(CLI::App& app, Action& action, std::vector<std::string> arguments) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExecOptions>();
   options->program.arguments = std::move(arguments);
   CLI::App* command =
       app.add_subcommand("exec", "Run a program of assembler or BIR files on a bare machine");
-  command->footer(kExamples);
+  command->footer(kExecExamples);
   add_program_files(*command, options->program)->required();
   add_program_options(*command, options->program);
   add_program_machine(*command, options->program);

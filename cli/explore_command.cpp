@@ -20,9 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace explorer;
 
-constexpr unsigned kMostJobs = 256;
-
-constexpr const char* kExamples =
+constexpr const char* kExploreExamples =
     "Examples:\n"
     "  finback explore space.toml\n"
     "  finback explore space.toml --csv points.csv --plot points.svg\n"
@@ -31,7 +29,7 @@ constexpr const char* kExamples =
     "Results are kept: what was simulated once is not simulated again. More: "
     "docs/finback-explore.md";
 
-struct Options {
+struct ExploreOptions {
   std::string space;
   std::string database;
   std::string csv;
@@ -74,7 +72,7 @@ void check_output(const char* option, const std::string& path) {
   }
 }
 
-fs::path database_of(const Options& options) {
+fs::path database_of(const ExploreOptions& options) {
   return options.database.empty()
              ? fs::path("out") / (fs::path(options.space).stem().string() + ".sqlite")
              : fs::path(options.database);
@@ -84,7 +82,8 @@ bool is_axis(const Space& space, const std::string& name) {
   return std::ranges::find(space.axes, name, &Axis::name) != space.axes.end();
 }
 
-int print_point(const Options& options, const Space& space, const std::vector<Point>& points) {
+int print_point(const ExploreOptions& options, const Space& space,
+                const std::vector<Point>& points) {
   if (options.point > points.size()) {
     throw InputError(
         fmt::format("--point {}: {} has {} points", options.point, options.space, points.size()));
@@ -93,15 +92,16 @@ int print_point(const Options& options, const Space& space, const std::vector<Po
   return kFine;
 }
 
-int dry_run(const Options& options, const std::vector<Candidate>& candidates) {
+int dry_run(const ExploreOptions& options, const std::vector<Candidate>& candidates) {
   const Plan plan = plan_of(candidates, Store::peek(database_of(options)));
   fmt::print("{}: {}\n{}", options.space, plan.to_string(), misfits_text(candidates));
   return kFine;
 }
 
 // Simulates what is missing; false: interrupted.
-bool fill(const Options& options, const Space& space, const std::vector<Candidate>& candidates,
-          const std::vector<Column>& asked, Store& store) {
+bool fill(const ExploreOptions& options, const Space& space,
+          const std::vector<Candidate>& candidates, const std::vector<Column>& asked,
+          Store& store) {
   const Plan plan = plan_of(candidates, store.keys());
   fmt::print(stderr, "{}: {}\n", options.space, plan.to_string());
   // A firmware's metrics are known with its first result: a name with a slip ends it then.
@@ -134,7 +134,7 @@ bool fill(const Options& options, const Space& space, const std::vector<Candidat
   return false;
 }
 
-int explore(const Options& options) {
+int explore(const ExploreOptions& options) {
   catch_interrupts();
   check_output("--csv", options.csv);
   check_output("--plot", options.plot);
@@ -185,10 +185,10 @@ int explore(const Options& options) {
 }  // namespace
 
 void add_explore_command(CLI::App& app, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExploreOptions>();
   CLI::App* command = app.add_subcommand(
       "explore", "Run many placements, machines and clocks: which is fast, which is thrifty?");
-  command->footer(kExamples);
+  command->footer(kExploreExamples);
   command->add_option("space", options->space, "The space to explore (TOML)")
       ->type_name("SPACE.toml")
       ->required();

@@ -30,7 +30,7 @@ int print_machine_parameters() {
   return kFine;
 }
 
-int print_registers() {
+int print_register_page() {
   fmt::print("{}", machine::registers_as_markdown());
   return kFine;
 }
@@ -91,7 +91,7 @@ void add_machine_command(CLI::App& app, Action& action) {
     if (*power) {
       action = print_power_parameters;
     } else if (*registers) {
-      action = print_registers;
+      action = print_register_page;
     } else if (name->empty()) {
       action = print_machine_parameters;
     } else {

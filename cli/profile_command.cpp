@@ -14,14 +14,14 @@ namespace finback::cli {
 
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kProfileExamples =
     "Examples:\n"
     "  finback profile\n"
     "  finback profile --place core_b.shd_scores=l3 --by stalls --core b\n"
     "  finback profile --result out/result.json --top 5\n"
     "More: docs/finback-profile.md";
 
-struct Options {
+struct ProfileOptions {
   runner::RunRequest request;
   std::string result;
   std::string core;
@@ -31,7 +31,7 @@ struct Options {
   bool json = false;
 };
 
-int profile(const Options& options) {
+int profile(const ProfileOptions& options) {
   report::RunResult result;
   if (options.result.empty()) {
     catch_interrupts();
@@ -54,10 +54,10 @@ int profile(const Options& options) {
 }  // namespace
 
 void add_profile_command(CLI::App& app, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ProfileOptions>();
   CLI::App* command = app.add_subcommand(
       "profile", "Where the cycles and bytes go: functions, lines, causes, levels, objects");
-  command->footer(kExamples);
+  command->footer(kProfileExamples);
   CLI::Option* result = command->add_option("--result", options->result,
                                             "Show this result.json instead of running something");
   command->add_option("--top", options->top, "Rows of each table; 0: all")->capture_default_str();

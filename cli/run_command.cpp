@@ -26,14 +26,14 @@ namespace {
 constexpr int kDisparityMin = 5;
 constexpr int kDisparityMax = 35;
 
-constexpr const char* kExamples =
+constexpr const char* kRunExamples =
     "Examples:\n"
     "  finback run --scene aloe --frames 4 --out out/aloe\n"
     "  finback run --left left.png --right right.jpg --out out/mine\n"
     "  finback run --scene synthetic --placement my_placement.toml --out out/placed\n"
     "Writes disparity_0000.png ... and result.json. More: docs/finback-run.md";
 
-struct Options {
+struct RunOptions {
   runner::RunRequest request;
   std::string out = "out";
   std::string trace_counters;
@@ -41,7 +41,7 @@ struct Options {
   std::size_t stale_lines = 0;
 };
 
-void write_map(const machine::PublishedMap& map, const std::filesystem::path& path) {
+void write_published(const machine::PublishedMap& map, const std::filesystem::path& path) {
   scenes::ByteImage image(static_cast<int>(map.width), static_cast<int>(map.height));
   std::copy(map.bytes.begin(), map.bytes.end(), image.data());
   int smallest = kDisparityMin;
@@ -84,7 +84,7 @@ bool print_races(const std::vector<machine::RaceReport>& races, const report::Ru
   return races.empty();
 }
 
-int run(const Options& options) {
+int run(const RunOptions& options) {
   catch_interrupts();  // first: from here on a Ctrl-C ends in the destructors below
   const runner::RunInputs inputs = runner::load_inputs(options.request);
   OutputFolder folder(options.out);
@@ -96,7 +96,7 @@ int run(const Options& options) {
   const runner::RunOutcome& outcome = *watched;
 
   for (const machine::PublishedMap& map : outcome.maps) {
-    write_map(map, folder.staged(map_name(map.frame_number)));
+    write_published(map, folder.staged(map_name(map.frame_number)));
   }
   write_file_whole(folder.staged("result.json"), report::to_json(outcome.result));
   if (!options.trace_counters.empty()) {
@@ -115,10 +115,10 @@ int run(const Options& options) {
 }  // namespace
 
 void add_run_command(CLI::App& app, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   CLI::App* command =
       app.add_subcommand("run", "Run a firmware on a stereo pair: maps, cycles, traffic, power");
-  command->footer(kExamples);
+  command->footer(kRunExamples);
   add_run_options(*command, options->request);
   command->add_option("--out", options->out, "Folder for what is written")->capture_default_str();
   command->add_flag("--check", options->check, "Exit with 3 when a target is missed");

@@ -19,7 +19,7 @@ using namespace stereo_reference;
 
 constexpr double kDegrees = 57.29577951308232;
 
-struct Options {
+struct CalibrateOptions {
   std::vector<std::string> left;
   std::vector<std::string> right;
   std::string board = "9x6";
@@ -27,7 +27,7 @@ struct Options {
   std::string out;
 };
 
-int calibrate(const Options& options) {
+int calibrate(const CalibrateOptions& options) {
   if (!(options.square > 0) || !std::isfinite(options.square)) {
     throw InputError(fmt::format("--square {}: a length is wanted", options.square));
   }
@@ -61,7 +61,7 @@ int calibrate(const Options& options) {
 }  // namespace
 
 void add_stereo_calibrate(CLI::App& stereo, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CalibrateOptions>();
   CLI::App* command =
       stereo.add_subcommand("calibrate", "Measure two cameras by photographs of a checkerboard");
   command->add_option("--left", options->left, "The left camera's photographs")

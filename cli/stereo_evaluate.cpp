@@ -15,7 +15,7 @@ using namespace stereo_reference;
 
 constexpr double kHair = 1e-3;  // greys
 
-struct Options {
+struct EvaluateOptions {
   std::string map;
   std::string truth;
   std::string mask;
@@ -26,7 +26,7 @@ struct Options {
   bool scaled = false;  // as the listing of A.15: delta and errors in greys of the truth
 };
 
-int evaluate(const Options& options) {
+int evaluate(const EvaluateOptions& options) {
   const scenes::ByteImage map = load_map(options.map, options.scale);
   const scenes::FloatImage truth = load_truth(options.truth, options.truth_scale);
   const Region region = inner_region(map.width(), map.height(), options.border);
@@ -51,7 +51,7 @@ int evaluate(const Options& options) {
 }  // namespace
 
 void add_stereo_evaluate(CLI::App& stereo, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EvaluateOptions>();
   CLI::App* command = stereo.add_subcommand("evaluate", "Hold a map against ground truth");
   command->add_option("--map", options->map, "The map")->type_name("IMAGE")->required();
   command->add_option("--truth", options->truth, "The truth; grey 0 is unknown")

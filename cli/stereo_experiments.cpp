@@ -21,9 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace stereo_reference;
 
-constexpr unsigned kMostJobs = 256;
-
-struct Options {
+struct ExperimentsOptions {
   std::string data = "../shared/data";
   std::string out;
   std::string format = "svg";
@@ -31,7 +29,7 @@ struct Options {
   bool search = false;
 };
 
-fs::path middlebury_folder(const Options& options) {
+fs::path middlebury_folder(const ExperimentsOptions& options) {
   fs::path folder = fs::path(options.data) / "middlebury";
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
@@ -43,7 +41,7 @@ fs::path middlebury_folder(const Options& options) {
   return folder;
 }
 
-void check_output(const Options& options) {
+void check_output(const ExperimentsOptions& options) {
   if (!options.out.empty()) {
     check_plot_path("--out", "plot." + options.format);
   }
@@ -51,7 +49,7 @@ void check_output(const Options& options) {
 
 // Work with a bar of a hundred parts, until Ctrl-C.
 constexpr std::size_t kParts = 100;
-Parallel watched(const Options& options, ProgressBar& bar, const char* what) {
+Parallel watched(const ExperimentsOptions& options, ProgressBar& bar, const char* what) {
   return {options.jobs, [&bar, what](std::size_t done, std::size_t count) {
             bar.show(kParts * done / count,
                      [&] { return fmt::format("{}/{} {}", done, count, what); });
@@ -64,7 +62,7 @@ int give_up() {
   return kInterrupted;
 }
 
-int table8(const Options& options) {
+int table8(const ExperimentsOptions& options) {
   catch_interrupts();
   check_output(options);
   const fs::path folder = middlebury_folder(options);
@@ -82,13 +80,13 @@ int table8(const Options& options) {
   return kFine;
 }
 
-int figure8(const Options& options) {
+int figure8(const ExperimentsOptions& options) {
   check_output(options);
   publish(figure8_experiment({}), "figure8", options.out, "." + options.format);
   return kFine;
 }
 
-int figure26(const Options& options) {
+int figure26(const ExperimentsOptions& options) {
   catch_interrupts();
   check_output(options);
   ProgressBar bar(kParts);
@@ -102,7 +100,7 @@ int figure26(const Options& options) {
   return kFine;
 }
 
-int figure29(const Options& options) {
+int figure29(const ExperimentsOptions& options) {
   catch_interrupts();
   check_output(options);
   ProgressBar bar(kParts);
@@ -118,7 +116,8 @@ int figure29(const Options& options) {
 
 // A subcommand with the options that write files; those of data sets follow.
 CLI::App* add(CLI::App& experiments, Action& action, const char* name, const char* what,
-              int (*run)(const Options&), const std::shared_ptr<Options>& options) {
+              int (*run)(const ExperimentsOptions&),
+              const std::shared_ptr<ExperimentsOptions>& options) {
   CLI::App* command = experiments.add_subcommand(name, what);
   command->add_option("--out", options->out, "Also write the page, CSV and plot into this folder")
       ->type_name("DIR");
@@ -130,7 +129,7 @@ CLI::App* add(CLI::App& experiments, Action& action, const char* name, const cha
   return command;
 }
 
-CLI::App* add_data(CLI::App* command, Options& options) {
+CLI::App* add_data(CLI::App* command, ExperimentsOptions& options) {
   command->add_option("--data", options.data, "The folder that has the folder middlebury")
       ->type_name("DIR")
       ->capture_default_str();
@@ -146,7 +145,7 @@ void add_stereo_experiments(CLI::App& stereo, Action& action) {
   CLI::App* experiments =
       stereo.add_subcommand("experiment", "Measure the thesis's tables and figures again");
   experiments->require_subcommand(1);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExperimentsOptions>();
   add(*experiments, action, "figure8", "Range and its uncertainty by disparity", figure8, options);
   add_data(add(*experiments, action, "figure26",
                "Rank against census under computed changes of light and noise", figure26, options),

@@ -25,7 +25,7 @@ struct MatchOptions {
   std::string right_out;
 };
 
-struct CheckOptions {
+struct LrcOptions {
   std::string left;
   std::string right;
   int threshold = 1;
@@ -65,7 +65,7 @@ int match(const MatchOptions& options) {
   return kFine;
 }
 
-int check(const CheckOptions& options) {
+int check(const LrcOptions& options) {
   const scenes::ByteImage map = check_left_right(
       {load_map(options.left, options.scale), load_map(options.right, options.scale)},
       options.threshold);
@@ -127,7 +127,7 @@ void add_stereo_match(CLI::App& stereo, Action& action) {
 }
 
 void add_stereo_check(CLI::App& stereo, Action& action) {
-  auto options = std::make_shared<CheckOptions>();
+  auto options = std::make_shared<LrcOptions>();
   CLI::App* command =
       stereo.add_subcommand("check", "Keep the disparities on which both pictures agree");
   add_file(*command, "--left", options->left, "The left picture's map");

@@ -12,7 +12,7 @@ namespace {
 
 using namespace stereo_reference;
 
-struct Options {
+struct PerturbOptions {
   std::string image;
   double scale = 1;
   double gamma = 1;
@@ -22,7 +22,7 @@ struct Options {
   std::string out;
 };
 
-int perturb(const Options& options, bool gamma, bool noise) {
+int perturb(const PerturbOptions& options, bool gamma, bool noise) {
   scenes::ByteImage image = scenes::load_luma(options.image);
   image = scale_greys(image, options.scale);
   if (gamma) {  // stretches the greys also where gamma is 1
@@ -39,7 +39,7 @@ int perturb(const Options& options, bool gamma, bool noise) {
 }  // namespace
 
 void add_stereo_perturb(CLI::App& stereo, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PerturbOptions>();
   CLI::App* command = stereo.add_subcommand("perturb", "Change a picture's light, or add noise");
   command->add_option("image", options->image, "The picture")->type_name("IMAGE")->required();
   command->add_option("--scale", options->scale, "Every grey times this")->type_name("FACTOR");

@@ -16,7 +16,7 @@ namespace {
 
 using namespace stereo_reference;
 
-struct Options {
+struct RectifyOptions {
   std::string calibration;
   std::string left;
   std::string right;
@@ -37,7 +37,7 @@ scenes::ByteImage load(const std::string& path, const StereoCalibration& calibra
   return image;
 }
 
-int rectify(const Options& options) {
+int rectify(const RectifyOptions& options) {
   const StereoCalibration c = load_calibration(options.calibration);
   const RectifiedPair pair = stereo_reference::rectify(c);
   const auto rectified = [&](const std::string& path, const Intrinsics& camera,
@@ -71,7 +71,7 @@ void print_errors(const char* name, const TableErrors& errors, bool tangential) 
   fmt::print("\n");
 }
 
-int tables(const Options& options) {
+int tables(const RectifyOptions& options) {
   const FirmwareTables made =
       firmware_tables(load_calibration(options.calibration), options.subsample, options.tangential);
   write_file_whole(options.out,
@@ -83,7 +83,7 @@ int tables(const Options& options) {
   return kFine;
 }
 
-void add_calibration(CLI::App& command, Options& options) {
+void add_calibration(CLI::App& command, RectifyOptions& options) {
   command.add_option("calibration", options.calibration, "As finback stereo calibrate wrote it")
       ->type_name("RIG.toml")
       ->required();
@@ -92,7 +92,7 @@ void add_calibration(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_stereo_rectify(CLI::App& stereo, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RectifyOptions>();
   CLI::App* command =
       stereo.add_subcommand("rectify", "Make matching points of two photographs lie in one row");
   add_calibration(*command, *options);
@@ -113,7 +113,7 @@ void add_stereo_rectify(CLI::App& stereo, Action& action) {
 }
 
 void add_stereo_tables(CLI::App& stereo, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RectifyOptions>();
   CLI::App* command = stereo.add_subcommand(
       "tables", "Make the firmware's rectification tables, and say how exact");
   add_calibration(*command, *options);

@@ -18,7 +18,7 @@ namespace finback::cli {
 
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kTraceExamples =
     "Examples:\n"
     "  finback trace prog.s\n"
     "  finback trace --core b --from shd_update_row --to shd_update_row\n"
@@ -27,7 +27,7 @@ constexpr const char* kExamples =
     "FILE:LINE or 0xADDRESS. Timing is that of a run that nobody traces. More:\n"
     "docs/finback-trace.md";
 
-struct Options {
+struct TraceOptions {
   ProgramOptions program;  // where files are given
   runner::RunRequest firmware;
   tracing::Window window;
@@ -41,7 +41,7 @@ constexpr std::uint64_t kDefaultLimit = 1000;
 // A run with a recorder at its machine. What ended it early, if that was not the window's end.
 class TracedRun {
  public:
-  TracedRun(const Options& options, runner::RunInputs inputs)
+  TracedRun(const TraceOptions& options, runner::RunInputs inputs)
       : options_(options), inputs_(std::move(inputs)) {}
 
   void run() {
@@ -84,14 +84,14 @@ class TracedRun {
     static_cast<void>(runner::run_program(inputs_, std::move(run)));
   }
 
-  const Options& options_;
+  const TraceOptions& options_;
   runner::RunInputs inputs_;
   std::optional<tracing::Code> code_;
   std::optional<tracing::Recorder> recorder_;
   std::string fault_;
 };
 
-runner::RunInputs inputs_of(const Options& options) {
+runner::RunInputs inputs_of(const TraceOptions& options) {
   if (options.program.files.empty()) {
     return runner::load_inputs(options.firmware);
   }
@@ -101,7 +101,7 @@ runner::RunInputs inputs_of(const Options& options) {
   return runner::load_program(request);
 }
 
-int trace(const Options& options) {
+int trace(const TraceOptions& options) {
   catch_interrupts();
   TracedRun traced(options, inputs_of(options));
   traced.run();
@@ -132,44 +132,44 @@ int trace(const Options& options) {
   return interrupted() ? kInterrupted : kFine;
 }
 
-void add_window(CLI::App& command, Options& options) {
-  constexpr const char* kGroup = "What is shown";
+void add_window(CLI::App& command, TraceOptions& options) {
+  constexpr const char* kShown = "What is shown";
   command.add_option("--from", options.window.from, "The place to begin at (default: the start)")
       ->type_name("PLACE")
-      ->group(kGroup);
+      ->group(kShown);
   command
       .add_option("--to", options.window.to,
                   "The place to end before, once the window is open (default: the end)")
       ->type_name("PLACE")
-      ->group(kGroup);
+      ->group(kShown);
   command
       .add_option("--function", options.window.function,
                   "Packets of this function only, or of those that match a pattern")
       ->type_name("NAME")
-      ->group(kGroup);
+      ->group(kShown);
   command.add_option("--core", options.core, "This core only: a or b")
       ->check(CLI::IsMember({"a", "b"}))
-      ->group(kGroup);
+      ->group(kShown);
   command.add_option("--limit", options.window.limit, "At most so many packets a core; 0: all")
       ->capture_default_str()
-      ->group(kGroup);
+      ->group(kShown);
   command
       .add_option("--konata", options.konata,
                   "Write a log for the Konata pipeline viewer instead of text")
       ->type_name("FILE")
-      ->group(kGroup);
-  command.add_flag("--text", options.text, "Print text (as without --konata)")->group(kGroup);
+      ->group(kShown);
+  command.add_flag("--text", options.text, "Print text (as without --konata)")->group(kShown);
 }
 
 }  // namespace
 
 void add_trace_command(CLI::App& app, Action& action, std::vector<std::string> arguments) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TraceOptions>();
   options->program.arguments = std::move(arguments);
   options->window.limit = kDefaultLimit;
   CLI::App* command =
       app.add_subcommand("trace", "What each core issued, cycle by cycle, and why it waited");
-  command->footer(kExamples);
+  command->footer(kTraceExamples);
   CLI::Option* files = add_program_files(*command, options->program);
   add_window(*command, *options);
   add_colour_option(*command, options->colour);

@@ -25,6 +25,15 @@ function(finback_library name)
   target_link_libraries(${name} PUBLIC finback_settings)
 endfunction()
 
+# finback_runs_once(NAME): code around a run, no part of its loops. Under the sanitizers most of compiling it is
+# optimising the templates of other libraries, for nothing. (Not in a release: where the linker has the choice, an
+# inline function of the simulator would be taken from here.)
+function(finback_runs_once name)
+  if(FINBACK_SANITIZE)
+    target_compile_options(${name} PRIVATE -O0)
+  endif()
+endfunction()
+
 # Tests are compiled once and run for seconds: what they test is optimised, they need not be. Of their own
 # code the address sanitizer alone takes care: undefined behaviour is looked for in what they test, and to
 # look for it in GoogleTest's templates too, optimised, takes twice as long to build.

@@ -15,7 +15,7 @@ packages=(
   # finback explore: the table of finished points, and its plot
   libsqlite3-dev gnuplot-nox
   # tests, benchmarks and checks
-  libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy
+  libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy python3
   # random C programs for the compiler
   csmith libcsmith-dev
 )

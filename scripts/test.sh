@@ -35,12 +35,9 @@ ctest --preset asan-ubsan --parallel "$jobs" --no-tests=error
 
 step "clang-tidy"
 # Not the tests: what is wrong with them shows when they run, and GoogleTest's headers take minutes.
-# g++'s precompiled headers are not clang's: without them, each file must include what it needs.
-mkdir -p build/tidy
-sed 's/ -Winvalid-pch -include [^ ]*//' build/release/compile_commands.json > build/tidy/compile_commands.json
-mapfile -t units < <(git ls-files '*.cpp' ':!tests')
-printf '%s\0' "${units[@]}" |
-  xargs --null --max-procs="$jobs" --max-args=4 clang-tidy --quiet -p build/tidy
-echo "clang-tidy: ${#units[@]} files are clean"
+mapfile -t files < <(git ls-files '*.cpp' ':!tests')
+scripts/tidy-units.py build/release/compile_commands.json build/tidy "${files[@]}" |
+  xargs --max-procs="$jobs" --max-args=1 clang-tidy --quiet -p build/tidy
+echo "clang-tidy: ${#files[@]} files are clean"
 
 step "all passed"

@@ -11,10 +11,10 @@ using scenes::ByteImage;
 
 namespace {
 
-constexpr int kWhite = 255;
+constexpr int kLargestGrey = 255;
 
 void check_scale(int scale, const std::filesystem::path& path) {
-  if (scale < 1 || scale > kWhite) {
+  if (scale < 1 || scale > kLargestGrey) {
     throw InputError(
         fmt::format("{}: scale {}: it is a whole number from 1 to 255", path.string(), scale));
   }
@@ -55,11 +55,11 @@ scenes::FloatImage load_truth(const std::filesystem::path& path, int scale) {
 void write_map(const ByteImage& map, int scale, const std::filesystem::path& path) {
   check_scale(scale, path);
   const int largest = map.empty() ? 0 : *std::ranges::max_element(map.pixels());
-  if (largest * scale > kWhite) {
+  if (largest * scale > kLargestGrey) {
     throw InputError(
         fmt::format("{}: disparity {} times the scale {} is over 255; take a scale of "
                     "at most {}",
-                    path.string(), largest, scale, kWhite / largest));
+                    path.string(), largest, scale, kLargestGrey / largest));
   }
   ByteImage greys(map.width(), map.height());
   std::ranges::transform(map.pixels(), greys.data(), [scale](std::uint8_t value) {

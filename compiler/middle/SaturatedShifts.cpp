@@ -11,7 +11,7 @@ namespace {
 using namespace llvm;
 using namespace PatternMatch;
 
-constexpr unsigned kHalf = 16;
+constexpr unsigned kHalfWord = 16;
 
 /// value = clamp(sum >> by, -32768, 32767), where sum may be word + 2^(by - 1), which does not
 /// overflow.
@@ -32,7 +32,7 @@ bool match_saturated(Instruction& inst, Match& match) {
       (!PatternMatch::match(&inst, m_SMin(m_OneUse(m_SMax(m_Value(shifted), least)), most)) &&
        !PatternMatch::match(&inst, m_SMax(m_OneUse(m_SMin(m_Value(shifted), most)), least))) ||
       !PatternMatch::match(shifted, m_OneUse(m_AShr(m_Value(sum), m_APInt(by)))) ||
-      by->uge(kHalf) || by->isZero())
+      by->uge(kHalfWord) || by->isZero())
     return false;
   match.value = &inst;
   match.by = static_cast<unsigned>(by->getZExtValue());
@@ -53,9 +53,9 @@ PreservedAnalyses SaturatedShiftsPass::run(Function& function, FunctionAnalysisM
   for (const Match& match : matches) {
     IRBuilder<> builder(match.value);
     Value* upper =
-        call_named(builder, "shl_fr1x32", {match.word, builder.getInt32(kHalf - match.by)});
+        call_named(builder, "shl_fr1x32", {match.word, builder.getInt32(kHalfWord - match.by)});
     Value* half = match.rounded ? call_named(builder, "round_fr1x32", {upper})
-                                : builder.CreateAShr(upper, kHalf);
+                                : builder.CreateAShr(upper, kHalfWord);
     match.value->replaceAllUsesWith(half);
   }
   if (matches.empty())

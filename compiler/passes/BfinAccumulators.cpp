@@ -54,7 +54,7 @@ struct Sum {
 };
 
 /// A loop of one block on a loop counter, with what lies before and behind it.
-struct Loop {
+struct SumLoop {
   MachineBasicBlock* block = nullptr;
   MachineBasicBlock* before = nullptr;
   MachineBasicBlock* after = nullptr;
@@ -68,13 +68,13 @@ class BfinAccumulators : public MachineFunctionPass {
   bool runOnMachineFunction(MachineFunction& function) override;
 
  private:
-  bool visit(Loop& loop);
+  bool visit(SumLoop& loop);
   bool find_sum(MachineInstr& phi, Sum& sum) const;
   bool collect(Register reg, bool taken_off, Sum& sum) const;
   bool only_user(Register reg, const MachineInstr& user) const;
   bool is_zero(Register reg) const;
-  void convert(Sum& sum, const Accumulator& accumulator, const Loop& loop);
-  void fetch(Sum& sum, const Accumulator& accumulator, const Loop& loop);
+  void convert(Sum& sum, const Accumulator& accumulator, const SumLoop& loop);
+  void fetch(Sum& sum, const Accumulator& accumulator, const SumLoop& loop);
   void join_pairs(MachineBasicBlock& block);
   void join_clears(MachineBasicBlock& before);
   void plain_sums(MachineFunction& function);
@@ -145,7 +145,7 @@ bool BfinAccumulators::find_sum(MachineInstr& phi, Sum& sum) const {
 }
 
 /// Where the sum is read: behind the loop, or with the last product of each pass.
-void BfinAccumulators::fetch(Sum& sum, const Accumulator& accumulator, const Loop& loop) {
+void BfinAccumulators::fetch(Sum& sum, const Accumulator& accumulator, const SumLoop& loop) {
   MachineInstr& last = *sum.adds.front();
   const Register result = sum.result();
   regs_->clearKillFlags(result);
@@ -169,7 +169,7 @@ void BfinAccumulators::fetch(Sum& sum, const Accumulator& accumulator, const Loo
   product.inst->eraseFromParent();
 }
 
-void BfinAccumulators::convert(Sum& sum, const Accumulator& accumulator, const Loop& loop) {
+void BfinAccumulators::convert(Sum& sum, const Accumulator& accumulator, const SumLoop& loop) {
   const auto entry = loop.before->getFirstTerminator();
   const DebugLoc loc = sum.adds.front()->getDebugLoc();
   if (is_zero(sum.start)) {
@@ -247,7 +247,7 @@ void BfinAccumulators::join_clears(MachineBasicBlock& before) {
   clears[1]->eraseFromParent();
 }
 
-bool BfinAccumulators::visit(Loop& loop) {
+bool BfinAccumulators::visit(SumLoop& loop) {
   std::vector<Sum> sums;
   for (MachineInstr& phi : loop.block->phis()) {
     Sum sum;
@@ -297,8 +297,8 @@ bool BfinAccumulators::runOnMachineFunction(MachineFunction& function) {
           block.pred_size() != 2 || uses_accumulators(block))
         continue;
       const auto is_other = [&](const MachineBasicBlock* other) { return other != &block; };
-      Loop loop{&block, *find_if(block.predecessors(), is_other),
-                *find_if(block.successors(), is_other)};
+      SumLoop loop{&block, *find_if(block.predecessors(), is_other),
+                   *find_if(block.successors(), is_other)};
       visit(loop);
     }
   plain_sums(function);

@@ -35,7 +35,7 @@ class BfinFetches : public MachineFunctionPass {
 
 char BfinFetches::ID = 0;
 
-constexpr MCPhysReg kAccumulators[] = {Bfin::A0, Bfin::A1};
+constexpr MCPhysReg kAccumulatorRegisters[] = {Bfin::A0, Bfin::A1};
 constexpr unsigned kGet[] = {Bfin::GETA0, Bfin::GETA1};
 constexpr unsigned kMultiplyAdd[] = {Bfin::MAC0, Bfin::MAC1};
 constexpr unsigned kMultiplyGet[] = {Bfin::MACGET0, Bfin::MACGET1};
@@ -43,8 +43,8 @@ constexpr unsigned kMultiplyGet[] = {Bfin::MACGET0, Bfin::MACGET1};
 /// What comes last to accumulator `number` in the block, reading or writing.
 MachineInstr* last_access(MachineBasicBlock& block, unsigned number) {
   for (MachineInstr& inst : reverse(block))
-    if (inst.readsRegister(kAccumulators[number], nullptr) ||
-        inst.modifiesRegister(kAccumulators[number], nullptr))
+    if (inst.readsRegister(kAccumulatorRegisters[number], nullptr) ||
+        inst.modifiesRegister(kAccumulatorRegisters[number], nullptr))
       return &inst;
   return nullptr;
 }

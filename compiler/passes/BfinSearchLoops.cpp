@@ -18,8 +18,8 @@
 namespace llvm {
 namespace {
 
-constexpr size_t kMostBlocks = 3;           // of a round
-constexpr unsigned kMostInstructions = 30;  // of all rounds together
+constexpr size_t kMostBlocks = 3;       // of a round
+constexpr unsigned kMostSearched = 30;  // of all rounds together
 constexpr unsigned kMostRounds = 4;
 
 /// Blocks in a row; the last one goes back to the first, or on to `exit`.
@@ -96,7 +96,7 @@ bool BfinSearchLoops::find(MachineBasicBlock& latch, Search& search) const {
     count += static_cast<unsigned>(
         count_if(*block, [](const MachineInstr& inst) { return !inst.isMetaInstruction(); }));
   }
-  search.rounds = std::min(kMostRounds, kMostInstructions / std::max(count, 1U));
+  search.rounds = std::min(kMostRounds, kMostSearched / std::max(count, 1U));
   return search.rounds > 1;
 }
 

@@ -18,16 +18,16 @@
 namespace llvm {
 namespace {
 
-constexpr int64_t kShortReach = 15;  // elements above the pointer that a short access reaches
+constexpr int64_t kReachOfPointer = 15;  // elements above the pointer that a short access reaches
 
 /// An access with base and displacement, and its forms: stepping by its size, by a register.
-struct Forms {
+struct StridingForms {
   unsigned plain;
   unsigned next;
   unsigned stride;  // 0: none
   int size;
 };
-constexpr Forms kForms[] = {
+constexpr StridingForms kStridingForms[] = {
     {Bfin::LDW, Bfin::LDWInc, Bfin::LDWStride, 4},
     {Bfin::LDHZ, Bfin::LDHZInc, Bfin::LDHZStride, 2},
     {Bfin::LDHX, Bfin::LDHXInc, Bfin::LDHXStride, 2},
@@ -38,10 +38,10 @@ constexpr Forms kForms[] = {
     {Bfin::STB, Bfin::STBInc, 0, 1},
 };
 
-const Forms* forms_of(const MachineInstr& inst) {
-  const Forms* found =
-      find_if(kForms, [&](const Forms& forms) { return forms.plain == inst.getOpcode(); });
-  return found == std::end(kForms) ? nullptr : found;
+const StridingForms* forms_of(const MachineInstr& inst) {
+  const StridingForms* found = find_if(
+      kStridingForms, [&](const StridingForms& forms) { return forms.plain == inst.getOpcode(); });
+  return found == std::end(kStridingForms) ? nullptr : found;
 }
 
 /// A pointer's way through a round: its accesses in their order, and its step.
@@ -287,7 +287,7 @@ bool BfinStrides::join_step(const Walk& walk) {
   // Those further off are better served by a pointer of their own (BfinSteps).
   const bool near = all_of(walk.accesses, [](const MachineInstr* access) {
     const int64_t distance = access->getOperand(2).getImm();
-    return distance >= 0 && distance <= kShortReach * forms_of(*access)->size;
+    return distance >= 0 && distance <= kReachOfPointer * forms_of(*access)->size;
   });
   if (walk.accesses.size() < 2 || found == walk.accesses.end() || !near)
     return false;

@@ -24,7 +24,7 @@ namespace llvm {
 namespace {
 
 constexpr int64_t kMostPasses = 8;
-constexpr size_t kMostInstructions = 48;  // of all passes together
+constexpr size_t kMostUnrolled = 48;  // of all passes together
 
 class BfinUnrollLoops : public MachineFunctionPass {
  public:
@@ -82,8 +82,8 @@ bool BfinUnrollLoops::find(MachineBasicBlock& block, Loop& loop) const {
       block, [](const MachineInstr& inst) { return !inst.isPHI() && !inst.isTerminator(); }));
   loop.passes = known.value_or(0);
   return loop.passes > 0 && loop.passes <= kMostPasses &&
-         count * static_cast<size_t>(loop.passes) <= kMostInstructions &&
-         any_of(block, is_product) && none_of(block, [](const MachineInstr& inst) {
+         count * static_cast<size_t>(loop.passes) <= kMostUnrolled && any_of(block, is_product) &&
+         none_of(block, [](const MachineInstr& inst) {
            return inst.isCall() || inst.isInlineAsm() || inst.isPosition() || inst.isDebugInstr() ||
                   (!inst.isTerminator() && (inst.mayStore() || inst.hasOrderedMemoryRef() ||
                                             inst.hasUnmodeledSideEffects()));

@@ -17,10 +17,10 @@ constexpr int kNever = -1000000;
 /// In which order instructions are placed, and where each is tried first.
 enum class Order { kLeastChoiceEarly, kLeastChoiceLate, kProgramEarly, kProgramLate };
 
-class Search {
+class ScheduleSearch {
  public:
-  Search(const LoopDependences& loop, const BfinInstrInfo& tii, unsigned cycles, unsigned stages,
-         const std::vector<IndexStream>& streams);
+  ScheduleSearch(const LoopDependences& loop, const BfinInstrInfo& tii, unsigned cycles,
+                 unsigned stages, const std::vector<IndexStream>& streams);
 
   /// Whether every circle fits the cycles.
   bool prepare();
@@ -56,8 +56,9 @@ class Search {
   std::vector<std::vector<size_t>> table_;  // what issues in each cycle of the loop
 };
 
-Search::Search(const LoopDependences& loop, const BfinInstrInfo& tii, unsigned cycles,
-               unsigned stages, const std::vector<IndexStream>& streams)
+ScheduleSearch::ScheduleSearch(const LoopDependences& loop, const BfinInstrInfo& tii,
+                               unsigned cycles, unsigned stages,
+                               const std::vector<IndexStream>& streams)
     : loop_(loop),
       insts_(loop.instructions()),
       cycles_(static_cast<int>(cycles)),
@@ -72,7 +73,7 @@ Search::Search(const LoopDependences& loop, const BfinInstrInfo& tii, unsigned c
 }
 
 /// Longest ways. False: some circle is longer than the passes it goes round allow.
-bool Search::find_distances() {
+bool ScheduleSearch::find_distances() {
   const size_t count = insts_.size();
   distances_.assign(count, std::vector<int>(count, kNever));
   for (const LoopDependence& dependence : loop_.all()) {
@@ -90,7 +91,7 @@ bool Search::find_distances() {
   return true;
 }
 
-bool Search::has_room(size_t i, int time) const {
+bool ScheduleSearch::has_room(size_t i, int time) const {
   for (int k = 0; k < length(i); ++k) {
     PacketSlots slots;
     for (const size_t member : table_[slot(time + k)])
@@ -101,7 +102,7 @@ bool Search::has_room(size_t i, int time) const {
   return true;
 }
 
-bool Search::stages_agree(size_t i, int time) const {
+bool ScheduleSearch::stages_agree(size_t i, int time) const {
   return all_of(loop_.same_stage(), [&](const auto& pair) {
     if (pair.first != i && pair.second != i)
       return true;
@@ -110,7 +111,7 @@ bool Search::stages_agree(size_t i, int time) const {
   });
 }
 
-bool Search::try_at(size_t i, int time, std::vector<Window> windows) {
+bool ScheduleSearch::try_at(size_t i, int time, std::vector<Window> windows) {
   for (size_t j = 0; j < insts_.size(); ++j) {
     if (distances_[i][j] != kNever)
       windows[j].earliest = std::max(windows[j].earliest, time + distances_[i][j]);
@@ -131,7 +132,7 @@ bool Search::try_at(size_t i, int time, std::vector<Window> windows) {
   return false;
 }
 
-std::optional<size_t> Search::next_to_place(const std::vector<Window>& windows) const {
+std::optional<size_t> ScheduleSearch::next_to_place(const std::vector<Window>& windows) const {
   const auto choice = [&](size_t i) { return windows[i].latest - windows[i].earliest; };
   const bool least_choice = order_ == Order::kLeastChoiceEarly || order_ == Order::kLeastChoiceLate;
   std::optional<size_t> next;
@@ -144,7 +145,7 @@ std::optional<size_t> Search::next_to_place(const std::vector<Window>& windows) 
   return next;
 }
 
-bool Search::place_rest(const std::vector<Window>& windows) {
+bool ScheduleSearch::place_rest(const std::vector<Window>& windows) {
   const std::optional<size_t> next = next_to_place(windows);
   if (!next)
     return true;
@@ -163,14 +164,14 @@ bool Search::place_rest(const std::vector<Window>& windows) {
   return false;
 }
 
-bool Search::prepare() {
+bool ScheduleSearch::prepare() {
   for (size_t i = 0; i < insts_.size(); ++i)
     if (length(i) > cycles_)
       return false;
   return find_distances();
 }
 
-std::optional<std::vector<unsigned>> Search::run(Order order) {
+std::optional<std::vector<unsigned>> ScheduleSearch::run(Order order) {
   order_ = order;
   steps_ = kSteps;
   times_.assign(insts_.size(), std::nullopt);
@@ -230,7 +231,7 @@ ModuloSchedule schedule_loop(const LoopDependences& loop, const BfinInstrInfo& t
                              unsigned most, const std::vector<IndexStream>& streams,
                              function_ref<bool(const ModuloSchedule&)> allowed) {
   for (unsigned cycles = least_cycles(loop, tii); cycles <= most; ++cycles) {
-    Search search(loop, tii, cycles, stages, streams);
+    ScheduleSearch search(loop, tii, cycles, stages, streams);
     if (!search.prepare())
       continue;
     for (const Order order : {Order::kLeastChoiceEarly, Order::kProgramEarly, Order::kProgramLate,

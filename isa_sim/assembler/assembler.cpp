@@ -27,14 +27,6 @@ bool is_register(std::string_view name) {
          std::string_view("LHBXW").find(upper.back()) != std::string_view::npos;
 }
 
-std::string_view first_word(std::string_view text) {
-  std::size_t end = 0;
-  while (end < text.size() && is_name_character(text[end])) {
-    ++end;
-  }
-  return text.substr(0, end);
-}
-
 std::string_view behind(std::string_view text, std::string_view word) {
   return without_blanks_around(text.substr(word.size()));
 }
@@ -119,7 +111,7 @@ void Assembler::read_statement(Statement statement) {
   if (statement.text.empty()) {
     return;
   }
-  const std::string_view word = first_word(statement.text);
+  const std::string_view word = name_at(statement.text);
   const std::string_view rest = behind(statement.text, word);
   if (!word.empty() && read_equation(statement, word, rest)) {
     return;
@@ -137,7 +129,7 @@ void Assembler::read_statement(Statement statement) {
 
 void Assembler::read_labels(Statement& statement) {
   for (;;) {
-    const std::string_view name = first_word(statement.text);
+    const std::string_view name = name_at(statement.text);
     const std::string_view rest = behind(statement.text, name);
     if (name.empty() || !rest.starts_with(':')) {
       return;

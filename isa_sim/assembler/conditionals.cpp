@@ -97,13 +97,10 @@ void Assembler::read_end_if(Directive& directive) {
 
 // In a branch that is not taken only conditionals count, and of them those that end it.
 void Assembler::skip_statement(const Statement& statement) {
-  std::size_t end = 0;
-  while (end < statement.text.size() && is_name_character(statement.text[end])) {
-    ++end;
-  }
-  const std::string_view word = statement.text.substr(0, end);
+  const std::string_view word = name_at(statement.text);
   const std::string name = lower_case(word);
-  Directive directive{statement, word, without_blanks_around(statement.text.substr(end)), {}, 0};
+  Directive directive{
+      statement, word, without_blanks_around(statement.text.substr(word.size())), {}, 0};
   if (name.starts_with(".if")) {
     const KnownDirective* known = find_directive(name);
     if (known != nullptr) {  // a whole conditional of no account: none of its branches is taken

@@ -61,12 +61,8 @@ struct Assembler::Folded {
 // --- tokens ---
 
 bool Assembler::begins_other_statement(std::string_view text) const {
-  std::size_t end = 0;
-  while (end < text.size() && is_name_character(text[end])) {
-    ++end;
-  }
-  const std::string_view word = text.substr(0, end);
-  const std::string_view rest = without_blanks_around(text.substr(end));
+  const std::string_view word = name_at(text);
+  const std::string_view rest = without_blanks_around(text.substr(word.size()));
   if (word.empty()) {
     return false;
   }

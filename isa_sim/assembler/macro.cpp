@@ -6,14 +6,6 @@
 namespace finback::assembler {
 namespace {
 
-std::string_view name_at(std::string_view text, std::size_t position) {
-  std::size_t end = position;
-  while (end < text.size() && is_name_character(text[end])) {
-    ++end;
-  }
-  return text.substr(position, end - position);
-}
-
 std::size_t skip_blanks(std::string_view text, std::size_t position) {
   while (position < text.size() && is_blank(text[position])) {
     ++position;

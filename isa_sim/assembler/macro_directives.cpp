@@ -11,14 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string first_word(std::string_view text) {
-  std::size_t end = 0;
-  while (end < text.size() && is_name_character(text[end])) {
-    ++end;
-  }
-  return lower_case(text.substr(0, end));
-}
-
 bool begins_repetition(std::string_view word) {
   return word == ".rept" || word == ".rep" || word == ".irp" || word == ".irpc";
 }
@@ -34,7 +26,7 @@ std::shared_ptr<const SourceText> Assembler::take_body(const Directive& directiv
   const std::size_t start = source_.position();
   int depth = 1;
   for (Statement statement; source_.next(statement);) {
-    const std::string word = first_word(statement.text);
+    const std::string word = lower_case(name_at(statement.text));
     if (begin.empty() ? begins_repetition(word) : word == begin) {
       ++depth;
     } else if (word == end && --depth == 0) {
@@ -113,15 +105,11 @@ void Assembler::read_repeat(Directive& directive) {
 // .irp name, values; .irpc name, characters
 void Assembler::read_repeat_each(Directive& directive) {
   const std::string_view rest = directive.rest;
-  std::size_t end = 0;
-  while (end < rest.size() && is_name_character(rest[end])) {
-    ++end;
-  }
-  const std::string name(rest.substr(0, end));
+  const std::string name(name_at(rest));
   if (name.empty()) {
     fail(directive, fmt::format("{} wants a name", directive.name));
   }
-  std::string_view values = without_blanks_around(rest.substr(end));
+  std::string_view values = without_blanks_around(rest.substr(name.size()));
   if (values.starts_with(',')) {
     values = without_blanks_around(values.substr(1));
   }

@@ -31,6 +31,14 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
+std::string_view name_at(std::string_view text, std::size_t position) {
+  std::size_t end = position;
+  while (end < text.size() && is_name_character(text[end])) {
+    ++end;
+  }
+  return text.substr(position, end - position);
+}
+
 std::string_view without_blanks_around(std::string_view text) {
   const auto blank = [](char c) { return is_blank(c) || c == '\n'; };
   while (!text.empty() && blank(text.front())) {

@@ -71,6 +71,8 @@ class SourceText {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
 }
 [[nodiscard]] std::string lower_case(std::string_view text);
+// The name characters from `position` on; none gives an empty text.
+[[nodiscard]] std::string_view name_at(std::string_view text, std::size_t position = 0);
 [[nodiscard]] std::string_view without_blanks_around(std::string_view text);
 
 }  // namespace finback::assembler

@@ -4,7 +4,7 @@ namespace finback::core {
 
 namespace {
 
-constexpr Address kControl = CoreTimer::kFirstRegister;
+constexpr Address kTimerControl = CoreTimer::kFirstRegister;
 constexpr Address kPeriod = CoreTimer::kFirstRegister + 4;
 constexpr Address kScale = CoreTimer::kFirstRegister + 8;
 constexpr std::uint32_t kScaleBits = 0xFF;
@@ -30,7 +30,7 @@ std::uint32_t CoreTimer::count(Cycles now) const {
 
 std::uint32_t CoreTimer::read(Address address, Cycles now) const {
   switch (address) {
-    case kControl:
+    case kTimerControl:
       return control_;
     case kPeriod:
       return period_;
@@ -45,7 +45,7 @@ void CoreTimer::write(Address address, std::uint32_t value, Cycles now) {
   const bool ran = runs();
   const std::uint32_t left = count(now);
   switch (address) {
-    case kControl:
+    case kTimerControl:
       control_ = value;
       if (runs() == ran) {
         return;

@@ -8,7 +8,7 @@ namespace finback::core {
 namespace {
 
 // Offsets within the registers of one side; those of instructions begin kCodeSide higher.
-constexpr Address kControl = 0x004, kFaultStatus = 0x008, kFaultAddress = 0x00C;
+constexpr Address kProtectionControl = 0x004, kFaultStatus = 0x008, kFaultAddress = 0x00C;
 constexpr Address kEntryAddress = 0x100, kEntryRights = 0x200;
 constexpr Address kTestCommand = 0x300, kTestData = 0x400;
 constexpr Address kCodeSide = 0x1000;
@@ -43,7 +43,7 @@ bool is_l1_code(Address address) {
 template <class S>
 auto* Protection::find(S& side, Address offset) {
   decltype(&side.control) word = nullptr;
-  if (offset == kControl) {
+  if (offset == kProtectionControl) {
     word = &side.control;
   } else if (offset - kEntryAddress < 4 * kEntries) {
     word = &side.address[(offset - kEntryAddress) / 4];

@@ -9,7 +9,7 @@
 namespace finback::ir {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string quoted_text(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') {
@@ -32,7 +32,7 @@ class Printer {
     line(".bir 1");
     for (std::size_t i = 1; i < program.source_files.size(); ++i) {
       if (!program.source_files[i].empty()) {
-        line(".file {} {}", i, quoted(program.source_files[i]));
+        line(".file {} {}", i, quoted_text(program.source_files[i]));
       }
     }
     for (const Function& function : program.functions) {

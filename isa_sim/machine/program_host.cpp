@@ -26,7 +26,7 @@ enum Call : std::uint32_t {
   kUnlink = 7,
   kGetPid = 8,
   kKill = 9,
-  kStatus = 10,
+  kStatusOfFile = 10,
   kStatusOfPath = 15,
   kTime = 18,
   kTimeOfDay = 19,
@@ -116,7 +116,7 @@ ProgramHost::Result ProgramHost::serve(std::uint32_t number, const Arguments& ar
       return {1, 0};
     case kKill:
       return {0, 0};
-    case kStatus:
+    case kStatusOfFile:
       return status(arguments[0], arguments[1]);
     case kStatusOfPath:
       return status_of_path(arguments[0], arguments[1]);

@@ -14,6 +14,10 @@
 
 namespace finback::core {
 
+// 8 KB of data for a program under test, as `_buffer`.
+constexpr const char* kBuffer =
+    ".data\n.align 8\n.type _buffer, @object\n_buffer: .space 8192\n.size _buffer, 8192\n";
+
 // A core whose machine has no devices and whose turn never ends.
 class CoreHarness : public SystemPort {
  public:

@@ -27,8 +27,6 @@ constexpr const char* kSetUp =
     "P0.L = _buffer; P0.H = _buffer; I0 = P0; P5 = P0; P3 = P0; P3 += 4; I1 = P3; R0 = 0 (X); R1 = "
     "0 (X); CC = R0 == 0;"
     "R7 = 0x80 (X); P1 = 2; NOP; NOP; NOP; NOP; NOP;\n";
-constexpr const char* kBuffer =
-    ".data\n.align 8\n.type _buffer, @object\n_buffer: .space 8192\n.size _buffer, 8192\n";
 
 double cycles(const std::string& body) {
   CoreHarness harness(".text\n.global _start\n.type _start, @function\n.align 8\n_start:\n" +

@@ -277,7 +277,7 @@ constexpr Meaning kShifter[] = {
     {"R1.L = 0x0100; R1.H = 1; R2 = 15 (X); R3.L = EXPADJ(R1, R2.L) (V);", "R3=6"},
 };
 
-constexpr Meaning kFlow[] = {
+constexpr Meaning kFlowMeanings[] = {
     {"JUMP.S .Lx; R1 = 1 (X); .Lx: R2 = 2 (X);", "R1=0 R2=2"},
     {"JUMP.L .Lx; R1 = 1 (X); .Lx: R2 = 2 (X);", "R1=0 R2=2"},
     {"JUMP .Lx; R1 = 1 (X); .Lx: R2 = 2 (X);", "R1=0 R2=2"},
@@ -398,7 +398,7 @@ INSTANTIATE_TEST_SUITE_P(Moves, Meanings, testing::ValuesIn(kMoves));
 INSTANTIATE_TEST_SUITE_P(Arithmetic, Meanings, testing::ValuesIn(kArithmetic));
 INSTANTIATE_TEST_SUITE_P(Dsp, Meanings, testing::ValuesIn(kDsp));
 INSTANTIATE_TEST_SUITE_P(Shifter, Meanings, testing::ValuesIn(kShifter));
-INSTANTIATE_TEST_SUITE_P(Flow, Meanings, testing::ValuesIn(kFlow));
+INSTANTIATE_TEST_SUITE_P(Flow, Meanings, testing::ValuesIn(kFlowMeanings));
 
 }  // namespace
 }  // namespace finback::core

@@ -10,8 +10,6 @@
 namespace finback::core {
 namespace {
 
-constexpr const char* kBuffer =
-    ".data\n.align 8\n.type _buffer, @object\n_buffer: .space 8192\n.size _buffer, 8192\n";
 constexpr const char* kPointer = "P0.L = _buffer; P0.H = _buffer; I0 = P0; NOP; NOP; NOP; NOP;\n";
 
 struct ParameterProbe {

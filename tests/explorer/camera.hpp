@@ -30,4 +30,8 @@ inline std::string camera_text(unsigned rounds = 65536, const std::string& end =
          object("table_b", 64) + object("huge_table", 40000) + object("map", 16);
 }
 
+// A space's run of it, stored as camera.bir.
+constexpr std::string_view kCameraRun =
+    "[run]\nfirmware = \"camera.bir\"\nscene = \"synthetic\"\nframes = 1\n";
+
 }  // namespace finback::explorer

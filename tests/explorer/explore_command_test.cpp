@@ -24,9 +24,6 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr std::string_view kRun =
-    "[run]\nfirmware = \"camera.bir\"\nscene = \"synthetic\"\nframes = 1\n";
-
 // 16 points, 64 with the second part.
 constexpr std::string_view kAxes =
     "[placement]\n"
@@ -123,7 +120,8 @@ class Explore : public ProgramTest {
 
 TEST_F(Explore, KilledInTheMiddleGoesOnAndEndsWithTheSameBytes) {
   write_camera(4 * 65536);
-  write("space.toml", std::string(kRun) + std::string(kAxes) + std::string(kMoreAxes));
+  write("space.toml",
+        std::string(explorer::kCameraRun) + std::string(kAxes) + std::string(kMoreAxes));
   const Finished whole = explore("whole");
   ASSERT_EQ(whole.exit_code, 0) << whole.err;
   EXPECT_EQ(whole.err, "space.toml: 64 points: 64 to simulate\n");
@@ -158,7 +156,7 @@ TEST_F(Explore, KilledInTheMiddleGoesOnAndEndsWithTheSameBytes) {
 
 TEST_F(Explore, FindsTheBestThatTryingAllFinds) {
   write_camera();
-  write("space.toml", std::string(kRun) + std::string(kAxes));
+  write("space.toml", std::string(explorer::kCameraRun) + std::string(kAxes));
   const Finished finished = explore("all");
   ASSERT_EQ(finished.exit_code, 0) << finished.err;
   const std::vector<Line> lines = read_csv(bytes("all.csv"));
@@ -188,7 +186,7 @@ TEST_F(Explore, FindsTheBestThatTryingAllFinds) {
 
 TEST_F(Explore, TellsTheCommandThatRunsAPointAgain) {
   write_camera();
-  write("space.toml", std::string(kRun) + std::string(kAxes));
+  write("space.toml", std::string(explorer::kCameraRun) + std::string(kAxes));
   ASSERT_EQ(explore("all").exit_code, 0);
   const Line line = read_csv(bytes("all.csv")).at(10);
   std::string command = line.at("command");
@@ -203,7 +201,7 @@ TEST_F(Explore, TellsTheCommandThatRunsAPointAgain) {
 
 TEST_F(Explore, TellsWhatDoesNotFitBeforeAndAfter) {
   write_camera();
-  write("space.toml", std::string(kRun) +
+  write("space.toml", std::string(explorer::kCameraRun) +
                           "[placement]\n\"core_a.table_a\" = [\"l2\", \"l3\"]\n"
                           "\"core_a.huge_table\" = [\"l2\", \"l1.data.a\"]\n");
   const std::string why = "space.toml:7:30: l1.data.a overflows: object huge_table of core_a";
@@ -220,10 +218,10 @@ TEST_F(Explore, TellsWhatDoesNotFitBeforeAndAfter) {
 
 TEST_F(Explore, SimulatesNothingThatAnotherSpaceDid) {
   write_camera();
-  write("space.toml",
-        std::string(kRun) + "[placement]\ncore_a.table_a = [\"l1.data.a\", \"l2\"]\n");
+  write("space.toml", std::string(explorer::kCameraRun) +
+                          "[placement]\ncore_a.table_a = [\"l1.data.a\", \"l2\"]\n");
   ASSERT_EQ(explore("shared").exit_code, 0);
-  write("space.toml", std::string(kRun) +
+  write("space.toml", std::string(explorer::kCameraRun) +
                           "[placement]\n\"core_a.table_a\" = [\"l2\", \"l3\"]\n"
                           "[machine]\nmemory.l2.read_cycles = [8, 9]\n");
   EXPECT_THAT(explore("shared").err, HasSubstr("4 points: 1 known, 3 to simulate"));
@@ -246,7 +244,7 @@ TEST_F(Explore, KeepsFaultsAsResults) {
 
 TEST_F(Explore, DryRunLeavesNothing) {
   write_camera();
-  write("space.toml", std::string(kRun) + std::string(kAxes));
+  write("space.toml", std::string(explorer::kCameraRun) + std::string(kAxes));
   const std::vector<std::string> before = files();
   const Finished finished = finback({"explore", "space.toml", "--dry-run"});
   EXPECT_EQ(finished.exit_code, 0);
@@ -256,8 +254,8 @@ TEST_F(Explore, DryRunLeavesNothing) {
 
 TEST_F(Explore, InterruptedKeepsWhatIsDone) {
   write("camera.bir", program_text(kNeverEnds));
-  write("space.toml",
-        std::string(kRun) + "max_seconds = 100000\n[placement]\ncore_a.stack = [\"l2\", \"l3\"]\n");
+  write("space.toml", std::string(explorer::kCameraRun) +
+                          "max_seconds = 100000\n[placement]\ncore_a.stack = [\"l2\", \"l3\"]\n");
   constexpr int kWhileItRuns = 700;
   const Finished finished = finback({"explore", "space.toml"}, kWhileItRuns);
   EXPECT_EQ(finished.exit_code, 130);
@@ -270,7 +268,7 @@ TEST_F(Explore, InterruptedKeepsWhatIsDone) {
 
 TEST_F(Explore, ShowsAndSortsByAnyMetric) {
   write_camera();
-  write("space.toml", std::string(kRun) + std::string(kAxes));
+  write("space.toml", std::string(explorer::kCameraRun) + std::string(kAxes));
   ASSERT_EQ(explore("all").exit_code, 0);
   const Finished sorted = explore("all", {"--column", "object.core_a.table_a.stall_cycles",
                                           "--sort", "latency", "--limit", "2"});

@@ -19,9 +19,6 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr std::string_view kRun =
-    "[run]\nfirmware = \"camera.bir\"\nscene = \"synthetic\"\nframes = 1\n";
-
 class ExploreErrors : public ProgramTest {
  protected:
   ExploreErrors() { write("camera.bir", camera_text()); }
@@ -42,11 +39,11 @@ class ExploreErrors : public ProgramTest {
   }
   // The same with a good [run], which is four lines.
   [[nodiscard]] std::string refused_axes(const std::string& text) const {
-    return refused_space(std::string(kRun) + text);
+    return refused_space(std::string(explorer::kCameraRun) + text);
   }
   void write_space(const std::string& more = "") const {
-    write("space.toml",
-          std::string(kRun) + "[placement]\ncore_a.table_a = [\"l1.data.a\", \"l2\"]\n" + more);
+    write("space.toml", std::string(explorer::kCameraRun) +
+                            "[placement]\ncore_a.table_a = [\"l1.data.a\", \"l2\"]\n" + more);
   }
 };
 

@@ -25,7 +25,7 @@ std::int64_t number(std::string_view text) {
   return tokens.at(0).number;
 }
 
-std::string error_of(std::string_view text) {
+std::string token_error(std::string_view text) {
   try {
     (void)tokenize(text, "a.bir");
   } catch (const InputError& error) {
@@ -84,19 +84,20 @@ TEST(Token, KeepsEscapesOfStrings) {
 }
 
 TEST(Token, NamesThePlaceOfWhatItCannotRead) {
-  EXPECT_EQ(error_of("NOP;\n  ?"), "a.bir:2:3: '?' cannot stand here");
-  EXPECT_EQ(error_of("\x80"),
+  EXPECT_EQ(token_error("NOP;\n  ?"), "a.bir:2:3: '?' cannot stand here");
+  EXPECT_EQ(token_error("\x80"),
             "a.bir:1:1: byte 0x80 cannot stand here: programs are plain ASCII text");
-  EXPECT_EQ(error_of("NOP; /* and so on"), "a.bir:1:6: this comment is never closed: add */");
-  EXPECT_EQ(error_of(".ascii \"x\n"), "a.bir:1:8: this string is never closed: add \"");
-  EXPECT_EQ(error_of("R0 = 12ab"), "a.bir:1:8: 'a' is no digit of a base 10 number");
-  EXPECT_EQ(error_of("R0 = 08"), "a.bir:1:7: '8' is no digit of a base 8 number");
-  EXPECT_EQ(error_of("99999999999999999999"), "a.bir:1:1: this number does not fit into 64 bits");
-  EXPECT_EQ(error_of("0x"), "a.bir:1:3: this number has no digits");
+  EXPECT_EQ(token_error("NOP; /* and so on"), "a.bir:1:6: this comment is never closed: add */");
+  EXPECT_EQ(token_error(".ascii \"x\n"), "a.bir:1:8: this string is never closed: add \"");
+  EXPECT_EQ(token_error("R0 = 12ab"), "a.bir:1:8: 'a' is no digit of a base 10 number");
+  EXPECT_EQ(token_error("R0 = 08"), "a.bir:1:7: '8' is no digit of a base 8 number");
+  EXPECT_EQ(token_error("99999999999999999999"),
+            "a.bir:1:1: this number does not fit into 64 bits");
+  EXPECT_EQ(token_error("0x"), "a.bir:1:3: this number has no digits");
   EXPECT_EQ(
-      error_of("'\\q'"),
+      token_error("'\\q'"),
       "a.bir:1:1: unknown escape in a character: write \\n \\t \\r \\0 \\\\ \\' or the number");
-  EXPECT_EQ(error_of("'ab'"), "a.bir:1:1: a character stands between two quotes, as in 'a'");
+  EXPECT_EQ(token_error("'ab'"), "a.bir:1:1: a character stands between two quotes, as in 'a'");
 }
 
 }  // namespace

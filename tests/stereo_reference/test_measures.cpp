@@ -20,11 +20,11 @@ ByteImage random_image(int width, int height, unsigned seed, unsigned greys = 25
   return test::random_image(generator, width, height, greys);
 }
 
-struct Case {
+struct MeasureCase {
   int width, height, window, disparity_min, disparity_max;
 };
 
-class MeasureOn : public testing::TestWithParam<std::tuple<Measure, Case>> {};
+class MeasureOn : public testing::TestWithParam<std::tuple<Measure, MeasureCase>> {};
 
 TEST_P(MeasureOn, FastEqualsPlain) {
   const auto& [measure, c] = GetParam();
@@ -42,9 +42,9 @@ TEST_P(MeasureOn, FastEqualsPlain) {
 INSTANTIATE_TEST_SUITE_P(
     All, MeasureOn,
     testing::Combine(testing::Values(Measure::sad, Measure::ssd, Measure::ncc, Measure::shd),
-                     testing::Values(Case{40, 30, 1, 1, 9}, Case{40, 30, 3, 2, 12},
-                                     Case{33, 17, 15, 1, 40}, Case{20, 9, 9, 3, 3},
-                                     Case{10, 9, 9, 1, 255}, Case{64, 5, 5, 1, 63})));
+                     testing::Values(MeasureCase{40, 30, 1, 1, 9}, MeasureCase{40, 30, 3, 2, 12},
+                                     MeasureCase{33, 17, 15, 1, 40}, MeasureCase{20, 9, 9, 3, 3},
+                                     MeasureCase{10, 9, 9, 1, 255}, MeasureCase{64, 5, 5, 1, 63})));
 
 // A picture and itself shifted by 4: everybody finds the 4.
 TEST(Measures, AllFindAShift) {
