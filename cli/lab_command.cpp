@@ -19,7 +19,7 @@ namespace {
 
 using runner::Rung;
 
-constexpr const char* kExamples =
+constexpr const char* kLabExamples =
     "Examples:\n"
     "  finback lab list\n"
     "  finback lab run modular\n"
@@ -32,7 +32,7 @@ constexpr std::size_t kFunctionsShown = 6;
 constexpr std::size_t kObjectsShown = 5;
 constexpr double kSecondsPerFrame = 100;  // the bottom rung needs 33
 
-struct Options {
+struct LabOptions {
   runner::RunRequest request;
   std::vector<std::string> rungs;
   std::string plot;
@@ -45,7 +45,7 @@ struct Runs {
   std::string differing;  // as runner::differing_maps says
 };
 
-runner::RunInputs inputs_of(const Options& options, const Rung& rung) {
+runner::RunInputs inputs_of(const LabOptions& options, const Rung& rung) {
   runner::RunRequest request = options.request;
   request.firmware = rung.firmware;
   if (request.max_seconds == 0) {
@@ -55,7 +55,7 @@ runner::RunInputs inputs_of(const Options& options, const Rung& rung) {
 }
 
 // Runs every rung; nothing when Ctrl-C ended it.
-std::optional<Runs> run_all(const Options& options, const std::vector<Rung>& rungs) {
+std::optional<Runs> run_all(const LabOptions& options, const std::vector<Rung>& rungs) {
   catch_interrupts();
   std::vector<runner::RunInputs> inputs;  // all before the first run: what is wrong shows at once
   inputs.reserve(rungs.size());
@@ -79,7 +79,7 @@ std::optional<Runs> run_all(const Options& options, const std::vector<Rung>& run
 }
 
 // What --json or --csv wants; "" without them.
-std::string machine_text(const Options& options, const Runs& runs) {
+std::string machine_text(const LabOptions& options, const Runs& runs) {
   return options.json  ? report::comparison_json(runs.results)
          : options.csv ? report::comparison_csv(runs.results)
                        : "";
@@ -104,7 +104,7 @@ std::string under_setting(const report::RunResult& r, const std::string& table) 
                      r.frames.size() == 1 ? "" : "s", r.core_hertz / 1e6, table);
 }
 
-int list() {
+int list_rungs() {
   const std::vector<Rung> ladder = runner::load_ladder();
   for (std::size_t i = 0; i < ladder.size(); ++i) {
     fmt::print("{:>3} {:<11} {}\n", i + 1, ladder[i].name, ladder[i].change);
@@ -112,7 +112,7 @@ int list() {
   return kFine;
 }
 
-int run_one(const Options& options) {
+int run_one(const LabOptions& options) {
   const std::vector<Rung> ladder = runner::load_ladder();
   const Rung rung = runner::find_rung(ladder, options.rungs.front());
   const auto at = std::ranges::find(ladder, rung.name, &Rung::name);
@@ -138,7 +138,7 @@ int run_one(const Options& options) {
   return verdict_on(*runs, true);
 }
 
-int compare(const Options& options) {
+int compare(const LabOptions& options) {
   const std::vector<Rung> ladder = runner::load_ladder();
   std::vector<Rung> rungs;
   for (const std::string& name : options.rungs) {
@@ -157,7 +157,7 @@ int compare(const Options& options) {
   return verdict_on(*runs, true);
 }
 
-int climb(const Options& options) {
+int climb(const LabOptions& options) {
   if (!options.plot.empty()) {
     check_plot_path("--plot", options.plot);
   }
@@ -177,7 +177,7 @@ int climb(const Options& options) {
   return verdict_on(*runs, true);
 }
 
-int diff(const Options& options) {
+int diff(const LabOptions& options) {
   const std::vector<Rung> ladder = runner::load_ladder();
   fmt::print("{}", runner::rung_diff(runner::find_rung(ladder, options.rungs.front()),
                                      runner::find_rung(ladder, options.rungs.back())));
@@ -185,7 +185,7 @@ int diff(const Options& options) {
 }
 
 CLI::App* add_running(CLI::App& lab, const std::string& name, const std::string& what,
-                      Options& options) {
+                      LabOptions& options) {
   CLI::App* command = lab.add_subcommand(name, what);
   options.request.frames = 1;
   CLI::Option* json = command->add_flag("--json", options.json, "Print JSON instead");
@@ -201,14 +201,14 @@ void add_lab_command(CLI::App& app, Action& action) {
   CLI::App* lab = app.add_subcommand(
       "lab", "The ladder for teaching: one matching in ten rungs, each faster than the last");
   lab->require_subcommand(1);
-  lab->footer(kExamples);
-  const auto options = std::make_shared<Options>();
-  const auto acts = [&action, options](CLI::App* command, int (*what)(const Options&)) {
+  lab->footer(kLabExamples);
+  const auto options = std::make_shared<LabOptions>();
+  const auto acts = [&action, options](CLI::App* command, int (*what)(const LabOptions&)) {
     command->callback([&action, options, what] { action = [=] { return what(*options); }; });
   };
 
   lab->add_subcommand("list", "The rungs, and what each changes")->callback([&action] {
-    action = list;
+    action = list_rungs;
   });
   CLI::App* run = add_running(*lab, "run", "One rung beside the one before", *options);
   run->add_option("RUNG", options->rungs, "Its name, or the path of a firmware")
