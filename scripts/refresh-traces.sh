@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Writes the golden traces, the firmware's budget baseline and the output in the manual's examples
-# anew from the present build (traces/README.md, docs/finback-check.md). Review what changes before
+# Writes the golden traces, the firmware's budget baseline, the output in the manual's examples and
+# the ladder's picture anew from the present build (traces/README.md, docs/finback-check.md). Review what changes before
 # you commit it: git diff traces firmware/budgets docs.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
