@@ -4,9 +4,8 @@
 // bypasses the PLL (both clocks are CLKIN) until LOCKCNT system clocks have passed; then, and for
 // all other changes at once, comes the PLL's wake-up; active mode, sleep, deep sleep, hibernation;
 // values that the chip does not bear are a GuestFault. Does not model: input and output delays, the
-// regulator's frequency and gain, a lock count that is too short, the PLL's interrupt (its wake-up
-// alone), what a program does behind the reset that ends deep sleep and hibernation. Source:
-// hardware.md 5.6; docs/clocks.md.
+// regulator's frequency and gain, a lock count that is too short, what a program does behind the
+// reset that ends deep sleep and hibernation. Source: hardware.md 5.6; docs/clocks.md.
 #pragma once
 
 #include <functional>

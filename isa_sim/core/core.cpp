@@ -404,7 +404,7 @@ void Core::set_requests(std::uint32_t ivg_lines, bool wake_line, Cycles at) {
 
 void Core::latch_request(int event, Cycles at) {
   events_.raise(event);
-  if (sleeping_) {
+  if (sleeping_ && (event == kNonMaskable || events_.wants_attention(state_.interrupt_mask))) {
     wake(at);
   }
   turn_.horizon = 0;

@@ -41,8 +41,9 @@ constexpr Field kCl{2, 3}, kTras{6, 0xF}, kTrp{11, 7}, kTrcd{15, 7}, kTwr{19, 3}
 constexpr std::uint32_t kTimeBits = 3U << 2 | 0xFU << 6 | 7U << 11 | 7U << 15 | 3U << 19;
 constexpr std::uint32_t kSelfRefresh = 1U << 24;
 
-constexpr std::uint32_t kDmaFirst = 1U << 8;  // CDPRIO of AMGCTL
-constexpr std::uint32_t kIdle = 1U << 0;      // of SDSTAT
+constexpr std::uint32_t kDmaFirst = 1U << 8;         // CDPRIO of AMGCTL
+constexpr std::uint32_t kIdle = 1U << 0;             // SDCI of SDSTAT
+constexpr std::uint32_t kRefreshesItself = 1U << 1;  // SDSRA
 
 }  // namespace
 
@@ -64,7 +65,7 @@ std::uint32_t ExternalPort::read(std::uint32_t offset, int /*bytes*/, Cycles /*n
     case kRefreshRate:
       return refresh_rate();
     default:
-      return kIdle;
+      return kIdle | ((other_control_ & kSelfRefresh) != 0 ? kRefreshesItself : 0);
   }
 }
 
@@ -115,10 +116,6 @@ void ExternalPort::set_global_control(std::uint32_t value) {
         fmt::format("EBIU_SDGCTL = {:#010x}: CL {} (2 or 3), tRAS {}, tRP {}, tRCD {}, "
                     "tWR {} (1 at least) are no times of an SDRAM",
                     value, settings.cl, settings.tras, settings.trp, settings.trcd, settings.twr));
-  }
-  if ((value & kSelfRefresh) != 0) {
-    throw GuestFault(fmt::format(
-        "EBIU_SDGCTL = {:#010x}: self-refresh (bit 24) is not modelled; leave it 0", value));
   }
   other_control_ = value & ~kTimeBits;
   memory_.sdram().set(settings);

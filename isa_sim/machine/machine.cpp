@@ -71,6 +71,18 @@ class Machine::Implementation final : public core::SystemPort {
                       }
                       cores_[1]->start(at);
                     }
+                  },
+              .latched =
+                  [this](int core, int ivg, Cycles at) {
+                    if (core_at(core).started()) {
+                      core_at(core).latch_request(ivg, at);
+                    }
+                  },
+              .software_reset =
+                  [this](Cycles at) {
+                    bus_.host().flush_line();
+                    exit_ = StopInfo{Stop::exited, 0, at, {}};
+                    running_->shorten_turn(0);
                   }}),
         clocks_(bus_.pll().point()) {
     for (std::size_t i = 0; i < cores_.size(); ++i) {

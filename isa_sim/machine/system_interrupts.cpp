@@ -10,12 +10,14 @@ namespace finback::machine {
 namespace {
 
 // Offsets within SICA and SICB.
+constexpr std::uint32_t kReset = 0x00;  // SWRST, of SICA only
 constexpr std::uint32_t kSyscr = 0x04;
 constexpr std::uint32_t kMask0 = 0x0C, kMask1 = 0x10;
 constexpr std::uint32_t kStatus0 = 0x14, kStatus1 = 0x18;
 constexpr std::uint32_t kWakeup0 = 0x1C, kWakeup1 = 0x20;
 constexpr std::uint32_t kAssignment0 = 0x24;
 
+constexpr std::uint32_t kSystemReset = 7;   // of SWRST
 constexpr std::uint32_t kCoreBHeld = 0x20;  // SICA_SYSCR: COREB_SRAM_INIT
 // SICB_SYSCR: raise and acknowledge bits of core A; core B's are one higher.
 constexpr int kRaise0 = 6, kRaise1 = 8, kAcknowledge0 = 10, kAcknowledge1 = 12;
@@ -55,6 +57,7 @@ void set_bit(std::array<std::uint32_t, 2>& words, int source, bool level) {
 }  // namespace
 
 const DeviceRegister* InterruptRegisters::find_register(std::uint32_t offset) const {
+  static constexpr DeviceRegister kSoftwareReset = {kReset, "SWRST", RegisterWidth::half};
   static constexpr std::array<DeviceRegister, 15> kRegisters = {
       {{kSyscr, "SYSCR", RegisterWidth::half},
        {kMask0, "IMASK0"},
@@ -71,7 +74,8 @@ const DeviceRegister* InterruptRegisters::find_register(std::uint32_t offset) co
        {kAssignment0 + 0x14, "IAR5"},
        {kAssignment0 + 0x18, "IAR6"},
        {kAssignment0 + 0x1C, "IAR7"}}};
-  return finback::find_register(kRegisters, offset);
+  return offset == kReset && core_ == 0 ? &kSoftwareReset
+                                        : finback::find_register(kRegisters, offset);
 }
 
 SystemInterrupts::SystemInterrupts(const DeviceParameters& parameters, clock::ClockRatio ratio,
@@ -106,6 +110,8 @@ std::uint32_t SystemInterrupts::read(int core, std::uint32_t offset) const {
     observer_->lines_seen(core, word, controller.line[static_cast<std::size_t>(word)]);
   }
   switch (offset) {
+    case kReset:
+      return 0;  // nothing has reset the chip
     case kSyscr:
       // The inter-core bits act when written as 1 and read as 0, so that setting one by reading,
       // or-ing and writing does not repeat the others; what is pending stands in ISR1.
@@ -131,6 +137,11 @@ std::uint32_t SystemInterrupts::read(int core, std::uint32_t offset) const {
 void SystemInterrupts::write(int core, std::uint32_t offset, std::uint32_t value, Cycles now) {
   Controller& controller = controllers_[static_cast<std::size_t>(core)];
   switch (offset) {
+    case kReset:
+      if ((value & kSystemReset) == kSystemReset) {
+        outputs_.software_reset(now);
+      }
+      return;
     case kSyscr:
       if (core == 1) {
         write_intercore(value, now);
@@ -224,6 +235,11 @@ void SystemInterrupts::wake_up(int source, Cycles now) {
     if (bit(controller.wake, source)) {
       outputs_.lines_changed(core, controller.pending_ivg, true, now);
       outputs_.lines_changed(core, controller.pending_ivg, controller.waking, now);
+    }
+    if (bit(controller.mask, source)) {
+      const auto group = static_cast<std::size_t>(source / 8);
+      const std::uint32_t level = controller.assignment[group] >> (source % 8 * 4) & 0xFU;
+      outputs_.latched(core, kFirstIvg + static_cast<int>(level), now);
     }
   }
 }

@@ -55,6 +55,9 @@ class SystemInterrupts {
     // IDLE. Called at the very time that it takes effect, from advance() or from a register write.
     std::function<void(int core, std::uint32_t pending_ivg, bool wake, Cycles at)> lines_changed;
     std::function<void(Cycles at)> core_b_released;
+    // A source's line that was up for a moment only has left an IVG pending.
+    std::function<void(int core, int ivg, Cycles at)> latched = {};
+    std::function<void(Cycles at)> software_reset = {};  // by SICA_SWRST
   };
 
   SystemInterrupts(const DeviceParameters& parameters, clock::ClockRatio ratio, Outputs outputs);
@@ -70,7 +73,8 @@ class SystemInterrupts {
   // One that only `core` sees.
   void set_core_line(int core, int source, bool level, Cycles now);
 
-  // A source's line goes up for a moment, which only the wake-up masks notice.
+  // A source's line goes up for a moment: it wakes the cores whose wake-up masks admit it, and
+  // stays pending as an interrupt of those whose masks do.
   void wake_up(int source, Cycles now);
   // Tells the outputs again: the cores' clock stood still, and they have not listened.
   void tell_again(Cycles now);

@@ -6,6 +6,7 @@
 #include <common/error.hpp>
 #include <isa_sim/machine/clock_log.hpp>
 #include <isa_sim/machine/peripherals.hpp>
+#include <memory_model/memory_system.hpp>
 
 namespace finback::machine {
 namespace {
@@ -63,6 +64,25 @@ TEST_F(ClocksTest, WithoutThePllsWakeUpNothingEndsIdle) {
 TEST_F(ClocksTest, APllsWakeUpThatComesToNobodyIsLost) {
   load(kPllWakes + store(kPllCtl, kMsel20, 2) + "IDLE; IDLE; HLT;");
   EXPECT_EQ(run().reason, Stop::deadlock);
+}
+
+TEST_F(ClocksTest, APllsWakeUpInterruptsWhoseMaskAdmitsIt) {
+  // Source 0 goes to IVG7. Nothing wakes by SICA_IWR: the interrupt does, once.
+  load("P0.L = 0x201C; P0.H = 0xFFE0; R0.L = _locked; R0.H = _locked; [P0] = R0; R7 = 0;\n" +
+           store(kWakeup0, 0) + store(kWakeup1, 0) + store(0xFFC0010C, 1) +
+           "R0 = 0x80 (X); STI R0;\n" + store(kPllCtl, kMsel20, 2) + "IDLE; NOP; NOP; HLT;",
+       function("_locked", "R7 += 1; RTI;"));
+  EXPECT_EQ(run().reason, Stop::exited);
+  EXPECT_EQ(reg(isa::R7), 1U);
+  EXPECT_EQ(segments().back().point.core_hertz, 500e6);
+}
+
+TEST_F(ClocksTest, ASoftwareResetEndsTheRun) {
+  load(store(0xFFC00100, 5, 2) + "R7 = 1;\n" + store(0xFFC00100, 7, 2) + "R7 = 2; HLT;");
+  const StopInfo stop = run();
+  EXPECT_EQ(stop.reason, Stop::exited);
+  EXPECT_EQ(stop.exit_status, 0U);
+  EXPECT_EQ(reg(isa::R7), 1U);
 }
 
 const std::string kLoop =
@@ -136,6 +156,40 @@ TEST_F(ClocksTest, PinsChangeInRealTime) {
   EXPECT_NEAR(machine_->clocks().history().seconds(0, stop.time), 100'000 / 600e6, 0.5e-6);
   EXPECT_LT(reg(isa::R7), 51'000U);
   EXPECT_NEAR(static_cast<double>(machine_->reference_time(stop.time)), 100'000, 300);
+}
+
+TEST_F(ClocksTest, ACameraKeepsItsTimeThroughAChange) {
+  // QQVGA at 100 Hz by PPI0 and channel 0 of DMA1; core and system clock fall on the way to half.
+  description_.camera.halvings.set(2);
+  description_.camera.frame_rate.set(100);
+  const auto capture = [&](const std::string& on_the_way) {
+    load(store(0xFFC01C04, 0x100000) + store(0xFFC01C10, 80, 2) + store(0xFFC01C14, 2, 2) +
+         store(0xFFC01C18, 120, 2) + store(0xFFC01C1C, 2, 2) + store(0xFFC01C08, 0x97, 2) +
+         store(0xFFC01008, 319, 2) + store(0xFFC0100C, 0, 2) + store(0xFFC01010, 120, 2) +
+         store(0xFFC01000, 0x2AD, 2) + on_the_way + "IDLE; HLT;");
+    machine_->peripherals().connect_camera(
+        peripheral::Camera::Side::left,
+        [](std::uint32_t) {
+          auto picture = std::make_shared<peripheral::Picture>();
+          *picture = {160, 120, std::vector<std::uint8_t>(160 * 120)};
+          for (std::size_t i = 0; i < picture->luma.size(); ++i) {
+            picture->luma[i] = static_cast<std::uint8_t>(i * 7 % 251);
+          }
+          return std::shared_ptr<const peripheral::Picture>(picture);
+        },
+        {});
+    const StopInfo stop = machine_->run({.cycles = 20'000'000, .cancelled = {}});
+    EXPECT_EQ(stop.reason, Stop::exited) << stop.message;
+    const auto view = machine_->memory().view_bytes(0x100000, 160 * 120);
+    for (std::size_t i = 0; i < view.size(); ++i) {
+      EXPECT_EQ(view[i], i * 7 % 251) << i;
+    }
+    return machine_->clocks().history().seconds(0, stop.time);
+  };
+  const double before = capture("");
+  EXPECT_NEAR(capture(store(kPllDiv, 0x1A, 2)), before, 3e-6);
+  EXPECT_GT(before, 1.0 / 100);  // frame 0 had begun
+  EXPECT_LT(before, 2.0 / 100);
 }
 
 TEST_F(ClocksTest, SleepStopsTheCoreAndItsCounters) {

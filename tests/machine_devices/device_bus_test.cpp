@@ -71,7 +71,7 @@ TEST_F(DeviceBusTest, EveryNamedRegisterCanBeReadUnlessItsFaultSaysWhyNot) {
     }
   }
   const int dma = 2 * (16 * 13 + 2) + 4 * 12;
-  EXPECT_EQ(registers, 2 * 15 + dma + 10 + 7 + 2 * 5 + 2 * 3 + 9 + 12 * 4 + 2 * 3 + 3 * 17 + 5);
+  EXPECT_EQ(registers, 2 * 15 + 1 + dma + 10 + 7 + 2 * 5 + 2 * 3 + 9 + 12 * 4 + 2 * 3 + 3 * 17 + 5);
 }
 
 TEST_F(DeviceBusTest, AReadHoldsTheCoreAndAWriteOnlyBehindAnother) {

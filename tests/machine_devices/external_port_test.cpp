@@ -57,6 +57,15 @@ TEST_F(ExternalPortTest, RefreshComesAsSdrrcSays) {
   EXPECT_EQ(refreshes() - before, 20U);
 }
 
+TEST_F(ExternalPortTest, SelfRefreshKeepsWhatIsThere) {
+  *memory_.host_access(64, 1, memory::Direction::write) = 7;
+  write(kGlobal, read(kGlobal) | 1U << 24);
+  EXPECT_EQ(read(kStatus), 3U);
+  EXPECT_EQ(*memory_.host_access(64, 1, memory::Direction::read), 7);
+  write(kGlobal, read(kGlobal) & ~(1U << 24));
+  EXPECT_EQ(read(kStatus), 1U);
+}
+
 TEST_F(ExternalPortTest, WhatCannotBeIsRefused) {
   const auto refused = [&](std::uint32_t offset, std::uint32_t value, const char* part) {
     try {
@@ -67,7 +76,6 @@ TEST_F(ExternalPortTest, WhatCannotBeIsRefused) {
     }
   };
   refused(kGlobal, 0x919985, "CL 1");
-  refused(kGlobal, 0x191998D, "self-refresh");
   refused(kBank, 0x13, "0x00000015");
   write(kBank, 0x15);
   write(0, 0xF3);
