@@ -104,6 +104,10 @@ class Memory {
     }
     return static_cast<double>(now) / 5 / kBursts / 16;
   }
+  double flash_word() {
+    system_->asynchronous().set_banks(0, 0xFFC27BB0);
+    return dma_word(2, 0x20000000);
+  }
 
  private:
   memory::MemoryParameters parameters_;
@@ -130,6 +134,11 @@ std::vector<Figure> instructions() {
                   "R2 = [P0]; NOP;"),
       instruction("move to a P register, then its use as an address", 4, "V 1.5",
                   "P2 = R0; P3 = P2 + P0;", "P2 = R0; NOP;"),
+      instruction("move of an I to a P register, then its use as an address", 0, "D 1.5",
+                  "P2 = I0; R2 = [P2];", "P2 = I0; NOP;"),
+      instruction("CC set, then IF CC JUMP (BP), beside CC set before", 0, "D 1.5",
+                  "CC = R0 == 0; IF CC JUMP .Lx (BP); NOP; .Lx: NOP;",
+                  "NOP; IF CC JUMP .Lx (BP); NOP; .Lx: NOP;"),
       instruction("R1 *= R0", 3, "V 1.6", "R1 *= R0;"),
       instruction("A0 += R0.L * R1.L", 1, "V 1.6", "A0 += R0.L * R1.L;"),
       instruction("push of 14 registers", 14, "V 1.6", "[--SP] = (R7:0, P5:0);"),
@@ -139,6 +148,7 @@ std::vector<Figure> instructions() {
       instruction("CSYNC", 10, "V 1.6", "CSYNC;"),
       instruction("SSYNC, nothing pending", 10, "V 1.6", "SSYNC;"),
       instruction("STI", 3, "V 1.6", "STI R0;"),
+      instruction("RAISE, masked", 3, "V 1.6", "CLI R2; RAISE 9;", "CLI R2;"),
       instruction("CLI", 1, "V 1.6", "CLI R2;"),
       instruction("DIVS", 1, "V 1.6", "DIVS (R0, R1);"),
       instruction("ONES", 1, "V 1.6", "R2.L = ONES R1;", ""),
@@ -171,6 +181,8 @@ std::vector<Figure> accesses() {
        [] { return Memory(2).each(true, 2, 1024); }},
       {"DMA of 16-bit words, 16-bit bus, each", 1, "SCLK", "V 2.4",
        [] { return Memory(2).dma_word(2, 0); }},
+      {"flash at 3 + 11 + 2, DMA of 16-bit words, each", 16, "SCLK", "V 2.4",
+       [] { return Memory().flash_word(); }},
   };
 }
 
