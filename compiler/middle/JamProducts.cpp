@@ -11,6 +11,7 @@
 #include <llvm/Transforms/Utils/UnrollLoop.h>
 
 #include "Alignment.hpp"
+#include "PairProducts.hpp"
 
 namespace finback::compiler {
 namespace {
@@ -154,7 +155,8 @@ Loop* add_fast_copy(const Nest& nest, const NestAnalyses& analyses, ValueToValue
   }
   Instruction* at = before->getTerminator();
   align_objects(nest.aligned, analyses.scev);
-  Value* test = write_test(nest.products.rounds, 2, nest.aligned, analyses.scev, at);
+  Value* test =
+      write_test(nest.products.rounds, kLeastPairedRounds, nest.aligned, analyses.scev, at);
   IRBuilder<> builder(at);
   if (nest.guard != nullptr) {
     const bool around = nest.guard->getSuccessor(0) == nest.outer->getLoopLatch();

@@ -353,6 +353,8 @@ PairedSums Writer::write() {
   State state = first_state();
   const unsigned known = scev_.getSmallConstantMaxTripCount(plan_.products.loop);
   const bool in_strips = most_rounds() != 0 && (known == 0 || known / 2 > most_rounds());
+  if (!in_strips && !isa<ConstantInt>(pairs))
+    pairs = call_named(builder_, "at_least_two", {pairs});
   state = in_strips ? write_strips(state, pairs) : write_rounds(state, pairs);
   state = write_odd_round(state, rounds);
   PairedSums result{nullptr, {}};

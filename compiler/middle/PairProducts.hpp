@@ -31,14 +31,17 @@ struct PairPlan {
 [[nodiscard]] std::optional<PairPlan> plan_pairs(const ProductLoop& products,
                                                  llvm::ScalarEvolution& scev);
 
+/// Two pairs: whoever runs them can have the second one begin before the first has ended.
+inline constexpr unsigned kLeastPairedRounds = 4;
+
 /// What write_pairs leaves: the sums at the end of a block that has no terminator yet.
 struct PairedSums {
   llvm::BasicBlock* end;
   llvm::SmallVector<llvm::Value*, 2> values;
 };
 
-/// Writes the paired loop behind `before`, which has no terminator yet. There are at least two
-/// rounds.
+/// Writes the paired loop behind `before`, which has no terminator yet. There are at least
+/// kLeastPairedRounds.
 [[nodiscard]] PairedSums write_pairs(const PairPlan& plan, llvm::ScalarEvolution& scev,
                                      llvm::BasicBlock* before);
 

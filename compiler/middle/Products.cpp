@@ -62,7 +62,7 @@ bool pair_under_test(const ProductLoop& products, ScalarEvolution& scev) {
   if (!can_expand(wanted, scev, at))
     return false;
   align_objects(plan->aligned, scev);
-  pair(*plan, scev, write_test(products.rounds, kLeastRounds / 2, plan->aligned, scev, at));
+  pair(*plan, scev, write_test(products.rounds, kLeastPairedRounds, plan->aligned, scev, at));
   return true;
 }
 

@@ -114,6 +114,9 @@ void BfinHardwareLoops::convert(MachineLoop& loop, const Counting& counting) {
   MachineBasicBlock* before = counting.start->getParent();
   MachineBasicBlock* latch = loop.getLoopLatch();
   Register count = regs_->createVirtualRegister(&Bfin::PRegClass);
+  const MachineInstr* counted = regs_->getVRegDef(counting.start->getOperand(1).getReg());
+  while (counted->isCopy() && counted->getOperand(1).getReg().isVirtual())
+    counted = regs_->getVRegDef(counted->getOperand(1).getReg());
   regs_->clearKillFlags(counting.start->getOperand(1).getReg());
   BuildMI(*before, before->getFirstTerminator(), counting.start->getDebugLoc(),
           tii_->get(TargetOpcode::COPY), count)
@@ -122,7 +125,8 @@ void BfinHardwareLoops::convert(MachineLoop& loop, const Counting& counting) {
   MachineInstr* setup = BuildMI(*before, before->getFirstTerminator(),
                                 counting.start->getDebugLoc(), tii_->get(Bfin::LOOPSETUP))
                             .addImm(0)
-                            .addReg(count);
+                            .addReg(count)
+                            .addImm(counted->getOpcode() == Bfin::ATLEASTTWO ? 2 : 1);
   MachineInstr* end =
       BuildMI(*latch, counting.branch, counting.branch->getDebugLoc(), tii_->get(Bfin::ENDLOOP))
           .addMBB(loop.getHeader())
@@ -164,7 +168,7 @@ void BfinHardwareLoops::count_in_registers(MachineFunction& function) {
       Register to = inst.getNumOperands() > 0 && inst.getOperand(0).isReg()
                         ? inst.getOperand(0).getReg()
                         : Register();
-      if (inst.getOpcode() == Bfin::LOOPSTART)
+      if (inst.getOpcode() == Bfin::LOOPSTART || inst.getOpcode() == Bfin::ATLEASTTWO)
         BuildMI(block, inst, inst.getDebugLoc(), tii_->get(TargetOpcode::COPY), to)
             .addReg(inst.getOperand(1).getReg());
       else if (inst.getOpcode() == Bfin::LOOPDEC)

@@ -11,6 +11,7 @@
 #include <llvm/CodeGen/MachineLoopInfo.h>
 #include <llvm/CodeGen/MachineRegisterInfo.h>
 #include <llvm/InitializePasses.h>
+#include <set>
 
 #include "../target/Bfin.hpp"
 #include "../target/BfinInstrInfo.hpp"
@@ -41,6 +42,8 @@ class BfinKeptIndices : public MachineFunctionPass {
   [[nodiscard]] bool uses_index(const MachineInstr& inst) const;
   [[nodiscard]] bool may_keep(const MachineLoop& outer) const;
   bool keep(MachineInstr& copy);
+  size_t values_in(const MachineLoop& loop, const TargetRegisterClass& bank) const;
+  bool keep_in_data(MachineInstr& copy);
 
   MachineRegisterInfo* regs_ = nullptr;
   const BfinInstrInfo* tii_ = nullptr;
@@ -119,6 +122,52 @@ bool BfinKeptIndices::keep(MachineInstr& copy) {
   return true;
 }
 
+/// How many values of the bank each pass of the loop needs at least: what goes round, and what
+/// comes from outside.
+size_t BfinKeptIndices::values_in(const MachineLoop& loop, const TargetRegisterClass& bank) const {
+  std::set<Register> values;
+  const auto add = [&](Register reg) {
+    if (reg.isVirtual() && bank.hasSubClassEq(regs_->getRegClass(reg)))
+      values.insert(reg);
+  };
+  for (const MachineBasicBlock* block : loop.blocks())
+    for (const MachineInstr& inst : *block) {
+      if (inst.isPHI())
+        add(inst.getOperand(0).getReg());
+      else
+        for (const MachineOperand& use : inst.all_uses())
+          if (use.getReg().isVirtual() && !use.isUndef() &&
+              !loop.contains(regs_->getVRegDef(use.getReg())->getParent()))
+            add(use.getReg());
+    }
+  return values.size();
+}
+
+/// Where P registers are short, what an I register begins with in each pass waits in a D register.
+bool BfinKeptIndices::keep_in_data(MachineInstr& copy) {
+  constexpr size_t kManyPointers = 6;
+  constexpr size_t kFewWords = 6;
+  const Register pointer = copy.getOperand(1).getReg();
+  const MachineLoop* loop = loops_->getLoopFor(copy.getParent());
+  if (!pointer.isVirtual() || loop == nullptr || loop->getLoopPreheader() == nullptr ||
+      !Bfin::PRegClass.hasSubClassEq(regs_->getRegClass(pointer)) ||
+      loop->contains(regs_->getVRegDef(pointer)->getParent()) ||
+      values_in(*loop, Bfin::PRegClass) < kManyPointers ||
+      values_in(*loop, Bfin::DRegClass) > kFewWords ||
+      any_of(regs_->use_nodbg_instructions(pointer), [&](const MachineInstr& use) {
+        return &use != &copy && loop->contains(use.getParent());
+      }))
+    return false;
+  MachineBasicBlock& before = *loop->getLoopPreheader();
+  const Register kept = regs_->createVirtualRegister(&Bfin::DRegClass);
+  BuildMI(before, before.getFirstTerminator(), copy.getDebugLoc(), tii_->get(TargetOpcode::COPY),
+          kept)
+      .addReg(pointer);
+  regs_->clearKillFlags(pointer);
+  copy.getOperand(1).setReg(kept);
+  return true;
+}
+
 bool BfinKeptIndices::runOnMachineFunction(MachineFunction& function) {
   regs_ = &function.getRegInfo();
   tii_ = function.getSubtarget<BfinSubtarget>().getInstrInfo();
@@ -128,7 +177,7 @@ bool BfinKeptIndices::runOnMachineFunction(MachineFunction& function) {
     for (MachineInstr& inst : make_early_inc_range(block))
       if (inst.isCopy() && is_index(inst.getOperand(0).getReg()) &&
           !is_index(inst.getOperand(1).getReg()))
-        changed |= keep(inst);
+        changed |= keep(inst) || keep_in_data(inst);
   return changed;
 }
 

@@ -179,7 +179,7 @@ bool BfinRotateLoops::pays(const Loop& loop, unsigned saved) const {
       known ? static_cast<double>(*known)
             : frequencies_->getBlockFreqRelativeToEntryBlock(loop.block) /
                   std::max(frequencies_->getBlockFreqRelativeToEntryBlock(loop.before), 1e-6);
-  return (count - 1) * saved > (known ? kCyclesAroundKnown : kCyclesAround);
+  return (count - 1) * saved > (runs_twice(loop) ? kCyclesAroundKnown : kCyclesAround);
 }
 
 /// Whether each value that goes from pass to pass stays in one bank.
@@ -288,7 +288,9 @@ std::optional<int64_t> BfinRotateLoops::passes(const Loop& loop) const {
   return count->getOperand(1).getImm();
 }
 
-bool BfinRotateLoops::runs_twice(const Loop& loop) const { return passes(loop).value_or(0) > 1; }
+bool BfinRotateLoops::runs_twice(const Loop& loop) const {
+  return passes(loop).value_or(loop.setup->getOperand(2).getImm()) > 1;
+}
 
 /// The loop makes one pass less; where that is none, control goes to the last one.
 void BfinRotateLoops::count_one_less(Loop& loop, MachineBasicBlock* last) {
@@ -308,6 +310,7 @@ void BfinRotateLoops::count_one_less(Loop& loop, MachineBasicBlock* last) {
   regs_->clearKillFlags(count.getReg());
   count.setReg(less);
   count.setIsKill(false);
+  loop.setup->getOperand(2).setImm(1);
   if (twice)
     return;
   MachineBasicBlock* enter = function_->CreateMachineBasicBlock(loop.block->getBasicBlock());

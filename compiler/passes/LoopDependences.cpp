@@ -65,11 +65,13 @@ LoopDependences::LoopDependences(MachineBasicBlock& block, AAResults& aliases)
   for (MachineInstr& inst : block) {
     if (inst.isPHI() || inst.isTerminator() || inst.isDebugInstr())
       continue;
-    // Between passes nothing but CC and the accumulators is in a register of its own yet.
+    // Between passes nothing but CC, the accumulators and the two sums that are fetched at once is
+    // in a register of its own yet.
     for (const MachineOperand& operand : inst.operands())
-      complete_ &= !operand.isReg() || !operand.getReg().isPhysical() ||
-                   is_contained({Bfin::CC, Bfin::A0, Bfin::A1}, operand.getReg().id()) ||
-                   regs_.isConstantPhysReg(operand.getReg());
+      complete_ &=
+          !operand.isReg() || !operand.getReg().isPhysical() ||
+          is_contained({Bfin::CC, Bfin::A0, Bfin::A1, Bfin::R2, Bfin::R3}, operand.getReg().id()) ||
+          regs_.isConstantPhysReg(operand.getReg());
     complete_ &= !inst.isCall() && !inst.isInlineAsm() && !inst.isPosition() &&
                  !inst.hasUnmodeledSideEffects() && !inst.hasOrderedMemoryRef();
     numbers_[&inst] = instructions_.size();
@@ -127,7 +129,7 @@ void LoopDependences::add_physical(size_t first, size_t second) {
       if (first != second)
         add(first, second, a.isDef() ? 1 : 0, 0);
       add(second, first, b.isDef() ? 1 : 0, 1);
-      if (a.getReg() == Bfin::CC)
+      if (a.getReg() != Bfin::A0 && a.getReg() != Bfin::A1)
         same_stage_.emplace_back(first, second);
     }
   }

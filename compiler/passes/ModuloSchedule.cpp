@@ -36,6 +36,7 @@ class ScheduleSearch {
   bool find_distances();
   [[nodiscard]] std::optional<size_t> next_to_place(const std::vector<Window>& windows) const;
   bool place_rest(const std::vector<Window>& windows);
+  void sink_loads();
   bool try_at(size_t i, int time, std::vector<Window> windows);
   bool has_room(size_t i, int time) const;
   bool stages_agree(size_t i, int time) const;
@@ -164,6 +165,26 @@ bool ScheduleSearch::place_rest(const std::vector<Window>& windows) {
   return false;
 }
 
+/// Loads as late as their readers allow: their registers are free until then.
+void ScheduleSearch::sink_loads() {
+  std::vector<size_t> loads;
+  for (size_t i = 0; i < insts_.size(); ++i)
+    if (insts_[i]->mayLoad() && !insts_[i]->mayStore())
+      loads.push_back(i);
+  stable_sort(loads, [&](size_t a, size_t b) { return *times_[a] > *times_[b]; });
+  for (const size_t i : loads) {
+    int latest = *times_[i] < cycles_ ? cycles_ - 1 : last_time_;
+    for (size_t j = 0; j < insts_.size(); ++j)
+      if (j != i && distances_[i][j] != kNever)
+        latest = std::min(latest, *times_[j] - distances_[i][j]);
+    llvm::erase(table_[slot(*times_[i])], i);
+    while (latest > *times_[i] && !(has_room(i, latest) && stages_agree(i, latest)))
+      --latest;
+    times_[i] = std::max(latest, *times_[i]);
+    table_[slot(*times_[i])].push_back(i);
+  }
+}
+
 bool ScheduleSearch::prepare() {
   for (size_t i = 0; i < insts_.size(); ++i)
     if (length(i) > cycles_)
@@ -185,6 +206,7 @@ std::optional<std::vector<unsigned>> ScheduleSearch::run(Order order) {
       }
   if (!place_rest(windows))
     return std::nullopt;
+  sink_loads();
   std::vector<unsigned> times;
   for (const std::optional<int>& time : times_)
     times.push_back(static_cast<unsigned>(*time));

@@ -81,8 +81,10 @@ void PacketDag::issue(SUnit& unit, unsigned cycle, std::vector<SUnit*>& ready) {
   llvm::erase(ready, &unit);
   for (const SDep& dependency : unit.Succs) {
     SUnit* next = dependency.getSUnit();
-    if (next->isBoundaryNode())
+    if (next->isBoundaryNode()) {
+      end_ = std::max(end_, cycle + dependency.getLatency());
       continue;
+    }
     unsigned latency =
         may_share(unit, dependency, *next) ? 0 : std::max(1U, dependency.getLatency());
     earliest_[next->NodeNum] = std::max(earliest_[next->NodeNum], cycle + latency);
@@ -96,6 +98,7 @@ PacketDag::Order PacketDag::order_by(const Rule& rule) {
   std::vector<SUnit*> ready;
   waiting_.assign(SUnits.size(), 0);
   earliest_.assign(SUnits.size(), 0);
+  end_ = 0;
   for (SUnit& unit : SUnits) {
     for (const SDep& dependency : unit.Preds)
       waiting_[unit.NodeNum] += dependency.getSUnit()->isBoundaryNode() ? 0 : 1;
@@ -113,6 +116,7 @@ PacketDag::Order PacketDag::order_by(const Rule& rule) {
     order.packets.push_back(std::move(packet));
     order.cycles = cycle + 1;
   }
+  order.cycles = std::max(order.cycles, end_);
   return order;
 }
 

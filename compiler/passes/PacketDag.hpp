@@ -50,6 +50,7 @@ class PacketDag : public ScheduleDAGInstrs {
   const BfinInstrInfo& tii_;
   std::vector<unsigned> waiting_;   // unscheduled predecessors
   std::vector<unsigned> earliest_;  // first cycle at which operands are ready
+  unsigned end_ = 0;  // the cycle from which what comes behind the region has what it reads
   std::vector<SmallVector<MachineInstr*, 3>> bundles_;
 };
 

@@ -20,6 +20,8 @@ Target& getBfinTarget();
 void initializeBfinTarget();
 
 FunctionPass* createBfinISelDag(BfinTargetMachine& machine, CodeGenOptLevel level);
+/// On LLVM's IR: one register for counters and pointers that step alike.
+FunctionPass* createBfinSameSteps();
 /// Decides which loops of the machine code run on LC0 and LC1; turns the others into count downs.
 FunctionPass* createBfinHardwareLoops();
 /// Keeps sums of products in A0 and A1 while their loop runs.

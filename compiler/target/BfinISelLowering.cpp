@@ -101,9 +101,9 @@ SDValue BfinTargetLowering::PerformDAGCombine(SDNode* node, DAGCombinerInfo& inf
 
 const char* BfinTargetLowering::getTargetNodeName(unsigned opcode) const {
   static constexpr const char* kNames[] = {
-      "CALL",   "TAILCALL", "RET",   "RETI",  "SYMBOL",  "CMP",      "BITTST",   "JCC",
-      "SELECT", "FROMCC",   "ROTCC", "NOTCC", "MULU16",  "MULU16HL", "MULU16HH", "MULLOW",
-      "SUM",    "SUMFITS",  "SETLO", "SETHI", "TESTSET", "COMPUTE",  "SYSTEM"};
+      "CALL",   "TAILCALL", "RET",        "RETI",  "SYMBOL", "CMP",      "BITTST",   "JCC",
+      "SELECT", "FROMCC",   "ROTCC",      "NOTCC", "MULU16", "MULU16HL", "MULU16HH", "MULLOW",
+      "SUM",    "SUMFITS",  "ATLEASTTWO", "SETLO", "SETHI",  "TESTSET",  "COMPUTE",  "SYSTEM"};
   unsigned index = opcode - BfinISD::CALL;
   return opcode >= BfinISD::CALL && index < std::size(kNames) ? kNames[index] : nullptr;
 }

@@ -25,10 +25,11 @@ enum NodeType : unsigned {
   MULU16,    ///< low half x low half, unsigned
   MULU16HL,  ///< high half x low half
   MULU16HH,
-  MULLOW,   ///< signed product of the low halves; the product's low half is wanted
-  SUM,      ///< as ADD; exact sums fit 40 bits
-  SUMFITS,  ///< as ADD; exact sums fit 32 bits
-  SETLO,    ///< a word, and what its low half becomes
+  MULLOW,      ///< signed product of the low halves; the product's low half is wanted
+  SUM,         ///< as ADD; exact sums fit 40 bits
+  SUMFITS,     ///< as ADD; exact sums fit 32 bits
+  ATLEASTTWO,  ///< the same number, of which it is known that it is 2 or more
+  SETLO,       ///< a word, and what its low half becomes
   SETHI,
   TESTSET,
   COMPUTE,  ///< opcode, arguments that are halves (bit by bit), arguments -> results

@@ -54,7 +54,8 @@ void BfinInstPrinter::printHalfOf(const MCInst* inst, unsigned index, raw_ostrea
 }
 
 void BfinInstPrinter::printAddOrTake(const MCInst* inst, unsigned index, raw_ostream& out) {
-  out << (inst->getOperand(index).getImm() != 0 ? "-=" : "+=");
+  static constexpr const char* kSigns[] = {"+=", "-=", "="};
+  out << kSigns[inst->getOperand(index).getImm()];
 }
 
 void BfinInstPrinter::printRegList(const MCInst* inst, unsigned index, raw_ostream& out) {

@@ -33,6 +33,7 @@ def bfin_mulu16hh : SDNode<"BfinISD::MULU16HH", SDT_Binary, [SDNPCommutative]>;
 def bfin_mullow : SDNode<"BfinISD::MULLOW", SDT_Binary, [SDNPCommutative]>;
 def bfin_sum : SDNode<"BfinISD::SUM", SDT_Binary, [SDNPCommutative]>;
 def bfin_sumfits : SDNode<"BfinISD::SUMFITS", SDT_Binary, [SDNPCommutative]>;
+def bfin_atleasttwo : SDNode<"BfinISD::ATLEASTTWO", SDT_Unary>;
 def bfin_setlo : SDNode<"BfinISD::SETLO", SDT_Binary>;
 def bfin_sethi : SDNode<"BfinISD::SETHI", SDT_Binary>;
 // Ordered with memory, as all that acts on the system is; the others are selected by BfinISD::SYSTEM.
@@ -190,6 +191,9 @@ let mayStore = true, IssueSlot = IndexSlot in {
 // Holds the first slot of a packet of two accesses.
 def MNOP : Dsp<(outs), (ins), "MNOP">;
 
+// A count of passes of which the middle end knows that there are two or more (BfinHardwareLoops).
+def ATLEASTTWO : Pseudo<(outs DP:$rd), (ins DP:$rs), [(set DP:$rd, (bfin_atleasttwo DP:$rs))]>;
+
 //===-- Arithmetic ---------------------------------------------------------------------------------===//
 // Operations that exist in both banks are selected as ..._X; the bank pass picks one of the two.
 multiclass BothBanks<string text, SDNode node> {
@@ -300,7 +304,7 @@ def SUM_X : Pseudo<(outs DP:$rd), (ins DP:$ra, DP:$rb), [(set DP:$rd, (bfin_sum 
 def SUMFITS_X : Pseudo<(outs DP:$rd), (ins DP:$ra, DP:$rb), [(set DP:$rd, (bfin_sumfits DP:$ra, DP:$rb))]>;
 
 // Sums of products in the accumulators (BfinAccumulators). The first operand of each product says
-// whether it is added (0) or taken off (1). Results: the low word, or a sum that is known to fit.
+// whether it is added (0), taken off (1), or all that the sum is so far (2). Results: the low word, or a sum that is known to fit.
 def AddOrTake : Operand<i32> { let PrintMethod = "printAddOrTake"; }
 foreach i = 0-1 in {
   defvar accumulator = !cast<Register>("A"#i);
@@ -428,7 +432,7 @@ let hasSideEffects = true, mayLoad = true, mayStore = true, isNotDuplicable = tr
                        [(set DP:$rd, (int_loop_decrement_reg DP:$n, imm_any:$by))]>;
   // LC register number, count. A terminator, so that it stays behind the copies into the loop.
   let isTerminator = true, Defs = [LC0, LC1, LT0, LT1, LB0, LB1] in
-  def LOOPSETUP : Pseudo<(outs), (ins i32imm:$lc, P:$n)>;
+  def LOOPSETUP : Pseudo<(outs), (ins i32imm:$lc, P:$n, i32imm:$least)>;
 }
 let isBranch = true, isTerminator = true, isNotDuplicable = true, hasSideEffects = true, Size = 0,
     Uses = [LC0, LC1], Defs = [LC0, LC1] in

@@ -22,6 +22,7 @@ constexpr BfinNamedInstruction kTable[] = {
     // Of the middle end's own passes.
     {"sum", "i:ii", kInternal, BfinISD::SUM},
     {"sum_fits", "i:ii", kInternal, BfinISD::SUMFITS},
+    {"at_least_two", "i:i", kInternal, BfinISD::ATLEASTTWO},
     {"mul_low", "i:ii", kInternal, BfinISD::MULLOW},
     {"set_low", "i:ii", kInternal, BfinISD::SETLO},
     {"set_high", "i:ii", kInternal, BfinISD::SETHI},

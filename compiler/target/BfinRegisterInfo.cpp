@@ -81,4 +81,26 @@ bool BfinRegisterInfo::eliminateFrameIndex(MachineBasicBlock::iterator inst, int
   return false;
 }
 
+bool BfinRegisterInfo::getRegAllocationHints(Register value, ArrayRef<MCPhysReg> order,
+                                             SmallVectorImpl<MCPhysReg>& hints,
+                                             const MachineFunction& function, const VirtRegMap* map,
+                                             const LiveRegMatrix* matrix) const {
+  const bool exclusive =
+      BfinGenRegisterInfo::getRegAllocationHints(value, order, hints, function, map, matrix);
+  const MachineRegisterInfo& regs = function.getRegInfo();
+  if (regs.getRegClass(value) != &Bfin::DPRegClass)
+    return exclusive;
+  const bool to_address = any_of(regs.use_nodbg_instructions(value), [&](const MachineInstr& use) {
+    if (!use.isCopy() || !use.getOperand(0).getReg().isVirtual())
+      return false;
+    const TargetRegisterClass* to = regs.getRegClass(use.getOperand(0).getReg());
+    return to == &Bfin::PRegClass || to == &Bfin::IRRegClass;
+  });
+  if (to_address)
+    for (const MCPhysReg reg : order)
+      if (Bfin::PRegClass.contains(reg) && !is_contained(hints, reg))
+        hints.push_back(reg);
+  return exclusive;
+}
+
 }  // namespace llvm

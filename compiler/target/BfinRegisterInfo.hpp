@@ -16,6 +16,10 @@ class BfinRegisterInfo : public BfinGenRegisterInfo {
   const uint32_t* getCallPreservedMask(const MachineFunction& function,
                                        CallingConv::ID convention) const override;
   BitVector getReservedRegs(const MachineFunction& function) const override;
+  /// What may live in either bank and becomes an address goes to the pointer registers first.
+  bool getRegAllocationHints(Register value, ArrayRef<MCPhysReg> order,
+                             SmallVectorImpl<MCPhysReg>& hints, const MachineFunction& function,
+                             const VirtRegMap* map, const LiveRegMatrix* matrix) const override;
   Register getFrameRegister(const MachineFunction& function) const override;
   bool eliminateFrameIndex(MachineBasicBlock::iterator inst, int sp_adjustment, unsigned operand,
                            RegScavenger* scavenger) const override;

@@ -1,29 +1,28 @@
-// Registers. Halves (R0.L) are no sub-registers: what writes a half ties the other half's old value.
+// Registers. Halves (R0.L) are no sub-registers: what writes a half ties the other half's old
+// value.
 class BfinReg<string name> : Register<name> {
   let Namespace = "Bfin";
 }
 
-foreach i = 0-7 in {
-  def R#i : BfinReg<"R"#i>;
+foreach i = 0 - 7 in {
+  def R #i : BfinReg<"R" #i>;
 }
-foreach i = 0-5 in {
-  def P#i : BfinReg<"P"#i>;
-}
+foreach i = 0 - 5 in { def P #i : BfinReg<"P" #i>; }
 def SP : BfinReg<"SP">;
 def FP : BfinReg<"FP">;
-foreach i = 0-3 in {
-  def I#i : BfinReg<"I"#i>;
-  def M#i : BfinReg<"M"#i>;
-  def B#i : BfinReg<"B"#i>;
-  def L#i : BfinReg<"L"#i>;
+foreach i = 0 - 3 in {
+  def I #i : BfinReg<"I" #i>;
+  def M #i : BfinReg<"M" #i>;
+  def B #i : BfinReg<"B" #i>;
+  def L#i : BfinReg<"L" #i>;
 }
-foreach i = 0-1 in {
-  def A#i : BfinReg<"A"#i>;
-  def A#i#W : BfinReg<"A"#i#".W">;
-  def A#i#X : BfinReg<"A"#i#".X">;
-  def LC#i : BfinReg<"LC"#i>;
-  def LT#i : BfinReg<"LT"#i>;
-  def LB#i : BfinReg<"LB"#i>;
+foreach i = 0 - 1 in {
+  def A #i : BfinReg<"A" #i>;
+  def A #i #W : BfinReg<"A" #i #".W">;
+  def A #i #X : BfinReg<"A" #i #".X">;
+  def LC #i : BfinReg<"LC" #i>;
+  def LT #i : BfinReg<"LT" #i>;
+  def LB #i : BfinReg<"LB" #i>;
 }
 def CC : BfinReg<"CC">;
 def ASTAT : BfinReg<"ASTAT">;
@@ -45,7 +44,7 @@ def MR : RegisterClass<"Bfin", [i32], 32, (add M0, M1, M2, M3)>;
 let isAllocatable = false in {
   def CCR : RegisterClass<"Bfin", [i32], 32, (add CC)>;
   def SYS : RegisterClass<"Bfin", [i32], 32,
-      (add B0, B1, B2, B3, L0, L1, L2, L3, A0, A1, A0W, A0X, A1W, A1X, LC0, LC1, LT0, LT1, LB0, LB1,
-           ASTAT, RETS, RETI)>;
+                          (add B0, B1, B2, B3, L0, L1, L2, L3, A0, A1, A0W, A0X, A1W, A1X, LC0, LC1,
+                           LT0, LT1, LB0, LB1, ASTAT, RETS, RETI)>;
   def ANY : RegisterClass<"Bfin", [i32], 32, (add DP, IR, MR, SYS)>;
 }

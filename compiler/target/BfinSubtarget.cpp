@@ -61,6 +61,18 @@ unsigned BfinSubtarget::latency(const MachineInstr& def, unsigned def_operand,
 void BfinSubtarget::adjustSchedDependency(SUnit* producer, int def_operand, SUnit* consumer,
                                           int use_operand, SDep& dependency,
                                           const TargetSchedModel*) const {
+  // What a region ends with reads its registers, too: LSETUP a count that was moved to its
+  // register.
+  if (consumer->isBoundaryNode()) {
+    const MachineInstr* end = consumer->getInstr();
+    if (end != nullptr && producer->isInstr() && def_operand >= 0) {
+      const auto operand = static_cast<unsigned>(def_operand);
+      const MachineOperand& result = producer->getInstr()->getOperand(operand);
+      if (end->readsRegister(result.getReg(), nullptr))
+        dependency.setLatency(latency(*producer->getInstr(), operand, *end));
+    }
+    return;
+  }
   if (!producer->isInstr() || !consumer->isInstr() || dependency.getKind() != SDep::Data ||
       def_operand < 0 || use_operand < 0)
     return;

@@ -63,6 +63,7 @@ class BfinPassConfig : public TargetPassConfig {
   }
 
   bool addPreISel() override {
+    addPass(createBfinSameSteps());
     if (getOptLevel() != CodeGenOptLevel::None)
       addPass(createHardwareLoopsLegacyPass());
     return false;
@@ -85,6 +86,7 @@ class BfinPassConfig : public TargetPassConfig {
 
   void addPreRegAlloc() override {
     addPass(createBfinUnrollLoops());
+    addPass(createBfinFetches());
     addPass(createBfinRotateLoops());
     addPass(createBfinKeptIndices());
     addPass(createBfinFetches());

@@ -318,7 +318,47 @@ TEST_F(Quality, ShortSumsAreWrittenOut) {
   ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
   const std::string body = function_of(read("matrix.bir"), "matrix_multiply");
   const size_t pairs = body.rfind("LSETUP");
-  EXPECT_EQ(count(body.substr(pairs), "A1 += "), 16) << body;
+  // The sums begin with their first products and come with their last ones.
+  EXPECT_EQ(count(body.substr(pairs), "A1 = R"), 1) << body;
+  EXPECT_EQ(count(body.substr(pairs), "A1 += "), 15) << body;
+  EXPECT_EQ(count(body.substr(pairs), "(A1 += "), 1) << body;
+  EXPECT_EQ(count(body.substr(pairs), ".W;"), 0) << body;
+}
+
+// One pointer through all rows of the product, where the inner loop ends; only the factor's row is
+// stepped on.
+TEST_F(Quality, RowsGoOnWhereTheInnerLoopEnds) {
+  const Finished compiled =
+      cc({"-O2", "-o", "matrix.bir", FINBACK_SOURCE_DIR "/benchmarks/compiler/matrix_multiply.c"});
+  ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
+  const std::string body = function_of(read("matrix.bir"), "matrix_multiply");
+  EXPECT_EQ(count(body.substr(body.rfind("LSETUP")), "+= 32;"), 1) << body;
+}
+
+// A filter's window and its taps: no count is asked for in each round, and one pointer serves both
+// of a round's places in the samples.
+TEST_F(Quality, RoundsOfAFilterAskNothing) {
+  const Finished compiled =
+      cc({"-O2", "-o", "fir.bir", FINBACK_SOURCE_DIR "/benchmarks/compiler/fir.c"});
+  ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
+  const std::string body = function_of(read("fir.bir"), "fir");
+  const std::string outer = body.substr(body.find("LC0 = "));
+  const std::string round = outer.substr(0, outer.find("(RND)"));
+  EXPECT_EQ(count(round, "LC1 = "), 1) << body;
+  EXPECT_EQ(count(round, "CC = "), 0) << body;
+  EXPECT_EQ(count(round, "+= 4;"), 1) << body;
+}
+
+// What a search leads to is said by the pointer that it reads with.
+TEST_F(Quality, SearchesStepOnePointer) {
+  const Finished compiled =
+      cc({"-O2", "-o", "sort.bir", FINBACK_SOURCE_DIR "/benchmarks/compiler/quicksort.c"});
+  ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
+  const std::string body = function_of(read("sort.bir"), "quicksort");
+  const size_t down = body.find("- 4];");
+  const std::string search = body.substr(down, body.find("(BP)", down) - down);
+  EXPECT_EQ(count(search, "- 4];"), 4) << body;
+  EXPECT_EQ(count(search, "+= -4;"), 4) << body;
 }
 
 // Two loops become a call; one whose sum is wanted in each round stays.
