@@ -28,6 +28,7 @@ namespace finback::races {
 struct Place {
   int core = -1;
   std::uint32_t packet = 0;
+  // NOLINTNEXTLINE(modernize-use-nullptr): sees one in what the compiler writes
   friend auto operator<=>(const Place&, const Place&) = default;
 };
 
@@ -37,6 +38,7 @@ struct RaceSide {
   memory::Initiator actor = memory::Initiator::core_a;
   memory::Direction direction = memory::Direction::read;
   Place place;
+  // NOLINTNEXTLINE(modernize-use-nullptr): sees one in what the compiler writes
   friend auto operator<=>(const RaceSide&, const RaceSide&) = default;
 };
 
