@@ -24,8 +24,9 @@ TEST(Placement, MovingABufferChangesCyclesAndTrafficButNoMap) {
 
   EXPECT_EQ(before.maps[0].bytes, after.maps[0].bytes);
   EXPECT_GT(core_cycles(after.result), core_cycles(before.result));
-  EXPECT_EQ(level_bytes(before.result, "l3", "core_b"), 0U);
-  const Bytes moved = level_bytes(after.result, "l3", "core_b");
+  const Bytes looked_at = level_bytes(before.result, "l3", "core_b");  // settings in flash
+  EXPECT_LE(looked_at, 4U);
+  const Bytes moved = level_bytes(after.result, "l3", "core_b") - looked_at;
   EXPECT_GT(moved, 0U);
   EXPECT_EQ(level_bytes(before.result, "l1", "core_b") - level_bytes(after.result, "l1", "core_b"),
             moved);
