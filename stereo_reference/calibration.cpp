@@ -13,7 +13,7 @@ namespace {
 using Eigen::Index;
 
 constexpr std::size_t kLeastPairs = 3;
-constexpr int kRounds = 200;
+constexpr int kMostRounds = 200;
 constexpr double kLeastStep = 1e-10;
 constexpr int kFlags = cv::CALIB_FIX_K3;  // boards rarely reach the corners, where it would show
 
@@ -45,7 +45,7 @@ Eigen::Vector3d to_eigen(const cv::Mat& vector) {
 }
 
 cv::TermCriteria until() {
-  return {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, kRounds, kLeastStep};
+  return {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, kMostRounds, kLeastStep};
 }
 
 CalibrationFit fit(const std::vector<BoardPair>& pairs, const Board& board, const cv::Size& size) {
