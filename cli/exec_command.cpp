@@ -11,6 +11,7 @@
 #include <cli/commands.hpp>
 #include <cli/program_options.hpp>
 #include <cli/progress.hpp>
+#include <cli/watched_run.hpp>
 #include <common/error.hpp>
 #include <common/file.hpp>
 #include <report/sections.hpp>
@@ -33,6 +34,7 @@ struct ExecOptions {
   std::uint64_t max_cycles = 0;
   bool dump_registers = false;
   bool summary = false;
+  std::size_t stale_lines = 0;
 };
 
 void print_registers(const isa::ExecutionState& state) {
@@ -73,6 +75,12 @@ int run(const ExecOptions& options) {
     run.registers = [](const auto& states) {
       std::fflush(stdout);
       print_registers(states[0]);
+    };
+  }
+  if (options.stale_lines > 0) {
+    run.stale = [&options](const std::vector<std::string>& lines) {
+      std::fflush(stdout);
+      warn_of_stale_data(lines, options.stale_lines);
     };
   }
   const runner::ProgramOutcome outcome = runner::run_program(inputs, std::move(run));
@@ -119,6 +127,11 @@ void add_exec_command(CLI::App& app, Action& action, std::vector<std::string> ar
       ->check(CLI::PositiveNumber);
   command->add_flag("--dump-registers", options->dump_registers, "Print the registers at the end");
   command->add_flag("--summary", options->summary, "Say on stderr where the cycles went");
+  command
+      ->add_option("--warn-stale", options->stale_lines,
+                   "Say on stderr who saw old data because of a cache: at most N lines")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000));
   command
       ->add_option("--json", options->json, "Write registers and all that was counted; -: print it")
       ->type_name("FILE");

@@ -6,8 +6,6 @@
 
 namespace finback::cli {
 
-namespace {
-
 void warn_of_stale_data(const std::vector<std::string>& lines, std::size_t most) {
   for (std::size_t i = 0; i < std::min(lines.size(), most); ++i) {
     fmt::print(stderr, "finback: old data: {}\n", lines[i]);
@@ -20,8 +18,6 @@ void warn_of_stale_data(const std::vector<std::string>& lines, std::size_t most)
     fmt::print(stderr, "finback: nobody saw old data because of a cache\n");
   }
 }
-
-}  // namespace
 
 std::optional<runner::RunOutcome> run_watched(const runner::RunInputs& inputs,
                                               std::size_t stale_lines) {

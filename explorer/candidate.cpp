@@ -163,6 +163,7 @@ runner::RunInputs inputs_of(const Space& space, const Point& point) {
   inputs.power = space.base.power;
   inputs.power_name = space.base.power_name;
   inputs.scene = space.base.scene;
+  inputs.camera_troubles = space.base.camera_troubles;
   inputs.frames = space.base.frames;
   inputs.cycle_limit = cycle_limit_of(space, *inputs.machine);
   return inputs;
@@ -170,11 +171,16 @@ runner::RunInputs inputs_of(const Space& space, const Point& point) {
 
 std::vector<Candidate> prepare(const Space& space, const std::vector<Point>& points,
                                const std::function<bool()>& cancelled) {
+  if (space.base.sequence) {
+    throw InputError(
+        "explore tries its points side by side on one pair of pictures: frames_from, distort and "
+        "misalign are for finback run and finback check");
+  }
   Identity common;
   common.tool_version = fmt::format("{}+{}", FINBACK_VERSION, kSourceHash);
   common.power_hash = runner::power_hash(*space.base.power);
   common.scene = space.base.scene.name;
-  common.scene_hash = runner::scene_hash(space.base.scene);
+  common.scene_hash = runner::view_hash(space.base.scene, space.base.camera_troubles);
   common.frames = space.base.frames;
   std::map<Point, Layout> layouts;
   std::vector<Candidate> candidates;

@@ -45,4 +45,17 @@ std::string scene_hash(const scenes::Scene& scene) {
   return report::content_hash(bytes);
 }
 
+std::string view_hash(const scenes::Scene& scene,
+                      const std::array<std::vector<peripheral::FrameTrouble>, 2>& troubles) {
+  std::string text = scene_hash(scene);
+  const std::size_t alone = text.size();
+  for (std::size_t side = 0; side < troubles.size(); ++side) {
+    for (const peripheral::FrameTrouble& trouble : troubles[side]) {
+      fmt::format_to(std::back_inserter(text), "\n{} {} {} {}", side, trouble.frame,
+                     trouble.dropped, trouble.late_us);
+    }
+  }
+  return text.size() == alone ? text : report::content_hash(text);
+}
+
 }  // namespace finback::runner

@@ -48,10 +48,17 @@ ProgramOutcome run_program(const RunInputs& inputs, ProgramRun run) {
   if (run.ready) {
     run.ready(machine, image);
   }
+  const auto tell = [&] {
+    if (run.stale) {
+      run.stale(machine.stale_reports());
+    }
+  };
   ProgramOutcome outcome;
   try {
     outcome.stop = run_with_ports(machine, run.limits, ports);
+    tell();
   } catch (const GuestFault&) {
+    tell();
     if (run.registers) {
       run.registers(states_of(machine));
     }

@@ -17,6 +17,8 @@ struct ProgramRun {
   machine::ProgramHostOptions host;  // arguments, files, input and output
   // The machine before it runs; the image lives as long as the run. May be empty.
   std::function<void(machine::Machine& machine, const ir::Image& image)> ready;
+  // As RunObserver's: who saw old data because of a data cache. May be empty.
+  std::function<void(const std::vector<std::string>& lines)> stale;
   // Gets the registers of both cores when the program has ended, in whatever way; may be empty.
   std::function<void(const std::array<isa::ExecutionState, kCoreCount>& states)> registers;
 };

@@ -14,7 +14,8 @@ namespace finback::runner {
 [[nodiscard]] std::string named_in(const std::filesystem::path& folder, const std::string& name);
 
 // Reads the keys of a [run] table, which are the options of `finback run`: firmware, scene, left,
-// right, frames, machine, placement, power, place, set, max_seconds. Paths are relative to the
+// right, frames, machine, placement, power, place, set, max_seconds, flash, and the cameras'
+// frames_from, camera_rate, distort, misalign, drop_frame, late_frame. Paths are relative to the
 // file. Throws InputError naming the line.
 [[nodiscard]] RunRequest read_run_request(const TomlReader& reader, const toml::table& table);
 

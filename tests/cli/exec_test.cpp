@@ -119,6 +119,29 @@ TEST_F(Exec, TheEnvironmentDecidesWhereThingsLie) {
   EXPECT_THAT(chip["P0"].get<std::string>(), StartsWith("0xff9"));
 }
 
+// A core reads a word of SDRAM before and behind memory DMA that changes it.
+TEST_F(Exec, WarnsOfOldData) {
+  write("stale.s", R"(__start:
+        P0.L = 0; P0.H = 0x10; R1 = [P0];
+        P4.L = 0x1F00; P4.H = 0xFFC0; P3.L = 0x1F40; P3.H = 0xFFC0;
+        R0.L = 0; R0.H = 0xFEB0; [P3 + 4] = R0; [P4 + 4] = P0;
+        R0 = 1 (X); W[P3 + 0x10] = R0; W[P4 + 0x10] = R0;
+        R0 = 4 (X); W[P3 + 0x14] = R0; W[P4 + 0x14] = R0;
+        R0 = 9 (X); W[P3 + 8] = R0; R0 = 11 (X); W[P4 + 8] = R0;
+wait:   R0 = W[P4 + 0x28] (Z); CC = BITTST(R0, 0); IF !CC JUMP wait;
+        R1 = [P0];
+        HLT;
+)");
+  Finished finished =
+      finback({"exec", "--environment", "chip", "--set", "memory.cache.data_banks=1", "--set",
+               "memory.cache.l3_policy=1", "--warn-stale", "3", "stale.s"});
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_THAT(finished.err, StartsWith("finback: old data: free memory of l3 at 0x00100000: core_a "
+                                       "in wait (0xffa00042, stale.s:9) read an old copy"));
+  finished = finback({"exec", "--environment", "chip", "--warn-stale", "3", "stale.s"});
+  EXPECT_EQ(finished.err, "finback: nobody saw old data because of a cache\n");
+}
+
 TEST_F(Exec, MessagesOfTheAssemblerGoToStderr) {
   write("a.s", ".print \"hello\"\n.warning \"careful\"\nHLT;\n.byte 300\n");
   const Finished finished = finback({"exec", "a.s"});

@@ -254,6 +254,24 @@ TEST_F(Output, IsOfTheFilesInFlash) {
   EXPECT_EQ((*table)["region"], "flash");
 }
 
+TEST_F(Output, OfARunTableHasItsCamerasAndItsFlash) {
+  write("main.bir", program_text(kReturnsZero));
+  write("table.bin", "12345678");
+  const auto check = [&](const std::string& line) {
+    write("b.toml", "[run]\nfirmware = \"main.bir\"\n" + line +
+                        "\n[limits]\nmemory.shared.flash.used_bytes = \"== 8\"\n");
+    return finback({"check", "b.toml"});
+  };
+  EXPECT_EQ(check("").exit_code, 3);
+  Finished finished = check(
+      "flash = [\"table=table.bin\"]\ncamera_rate = 60\ndistort = [0.1, 0.01]\n"
+      "misalign = [0.5, 1, 2]\ndrop_frame = [\"left:2\"]\nlate_frame = [\"3:5\"]");
+  EXPECT_EQ(finished.exit_code, 0) << finished.err << finished.out;
+  EXPECT_THAT(check("distort = [0.1]").err, HasSubstr("b.toml:3:11: distort wants [k1, k2]"));
+  EXPECT_THAT(check("camera_rate = 0").err, HasSubstr("b.toml:3:15: camera_rate wants"));
+  EXPECT_THAT(check("frames_from = \"nowhere\"").err, HasSubstr("nowhere"));
+}
+
 TEST_F(Output, TellsHowDeepTheStackWas) {
   const auto used = [&](const std::string& pushes) {
     write("main.bir",
