@@ -26,8 +26,8 @@ class SourceText {
 };
 
 // Where the sources of a firmware lie by themselves: in its folder (that of its manifest or BIR
-// file), in the two above, which may hold what firmwares share, in the current folder, and among the
-// installed sources of runtime, drivers and firmwares.
+// file), in the two above, which may hold what firmwares share, in the current folder, and among
+// the installed sources of runtime, drivers and firmwares.
 [[nodiscard]] std::vector<std::filesystem::path> source_folders(const std::string& firmware_path);
 
 }  // namespace finback::runner

@@ -90,8 +90,8 @@ void check_match_arguments(const ImageSize& left, const ImageSize& right,
 // threshold is negative.
 [[nodiscard]] ByteImage check_left_right(const DisparityPair& maps, int threshold = 1);
 
-// Census, recursive matching and the left-right check: what MESVS-II makes of a rectified pair before
-// post-processing (texture.hpp). Throws what these throw.
+// Census, recursive matching and the left-right check: what MESVS-II makes of a rectified pair
+// before post-processing (texture.hpp). Throws what these throw.
 [[nodiscard]] ByteImage disparity_map(const ByteImage& left, const ByteImage& right,
                                       const MatchParameters& parameters, int threshold = 1);
 

@@ -14,8 +14,7 @@ namespace {
 using clock::Mode;
 using testing::HasSubstr;
 
-constexpr Address kPllCtl = 0xFFC00000, kPllDiv = 0xFFC00004, kVrCtl = 0xFFC00008,
-                  kLockCount = 0xFFC00010, kWakeup0 = 0xFFC0011C, kWakeup1 = 0xFFC00120;
+constexpr Address kLockCount = 0xFFC00010, kWakeup0 = 0xFFC0011C, kWakeup1 = 0xFFC00120;
 constexpr std::uint32_t kMsel24 = 24U << 9U, kMsel20 = 20U << 9U;
 
 class ClocksTest : public GuestProgramTest {

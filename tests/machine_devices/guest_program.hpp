@@ -16,6 +16,8 @@
 
 namespace finback::machine {
 
+constexpr Address kPllCtl = 0xFFC00000, kPllDiv = 0xFFC00004, kVrCtl = 0xFFC00008;
+
 // Stores of a value to a device register.
 inline std::string store(Address address, std::uint32_t value, int bytes = 4) {
   return fmt::format("P0.L = {:#x}; P0.H = {:#x}; R0.L = {:#x}; R0.H = {:#x};\n{} = R0; SSYNC;\n",

@@ -87,7 +87,6 @@ TEST_F(ParameterProbes, LimitsRefuseWhatIsBeyondThem) {
     double value;  // that bears what the default does not
     std::string program;
   };
-  constexpr Address kPllCtl = 0xFFC00000, kPllDiv = 0xFFC00004, kVrCtl = 0xFFC00008;
   const std::vector<Probe> probes = {
       {"clock.vco_minimum_mhz", 20, store(kPllCtl, 1U << 9, 2)},
       {"clock.vco_maximum_mhz", 650, store(kPllDiv, 0x16, 2) + store(kPllCtl, 25U << 9, 2)},
