@@ -40,6 +40,38 @@ Figure instruction(const std::string& what, double published, const char* source
   return {what, published, "CCLK", source, [=] { return cycles(body) - cycles(without); }};
 }
 
+// From the last cycle counter that a handler reads in R6 to the first that is read behind it in R7,
+// with nothing but the return between: `raise` leads to vector `event`.
+Figure way_back(const std::string& what, const char* source, int event, const std::string& raise,
+                const std::string& back) {
+  return {what, 5, "CCLK", source, [=] {
+            CoreHarness harness(program(
+                fmt::format("P1.L = {:#x}; P1.H = 0xFFE0; R1.L = .Lhandler; R1.H = .Lhandler; "
+                            "[P1] = R1; R1.L = 0x4000; R1.H = 0; STI R1; {} R7 = CYCLES; "
+                            "JUMP.S .Lend; .Lhandler: R6 = CYCLES; {}; .Lend: NOP;",
+                            0x2000 + 4 * event, raise, back)));
+            harness.run();
+            return static_cast<double>(harness.reg(isa::R7) - harness.reg(isa::R6) - 1);
+          }};
+}
+// The instruction alone: less an entry of one cycle.
+double exception_instruction() {
+  CoreHarness harness(
+      program("P1.L = 0x200C; P1.H = 0xFFE0; R1.L = .Lhandler; R1.H = .Lhandler; [P1] = R1; "
+              "R7 = CYCLES; EXCPT 5; .Lhandler: R6 = CYCLES; NOP;"));
+  harness.set("core.interrupt.entry_cycles", 1);
+  harness.run();
+  return static_cast<double>(harness.reg(isa::R6) - harness.reg(isa::R7) - 2);
+}
+double wake_from_idle() {
+  CoreHarness harness(program("R1.L = 0x8000; R1.H = 0; STI R1; IDLE; NOP; HLT;"));
+  harness.run();
+  constexpr Cycles kWakeUp = 1000;
+  harness.core().set_requests(0, true, kWakeUp);
+  harness.core().run({});
+  return static_cast<double>(harness.core().profile().cycles - kWakeUp - 2);  // NOP and HLT
+}
+
 // ---- accesses ----
 
 class Memory {
@@ -126,6 +158,18 @@ std::vector<Figure> instructions() {
       instruction("JUMP.S", 5, "V 1.4", "JUMP.S .Lx; .Lx: NOP;", "NOP;"),
       instruction("CALL and RTS", 10, "V 1.4", "CALL .Lx; JUMP.S .Ly; .Lx: RTS; .Ly: NOP;",
                   "JUMP.S .Ly; .Ly: NOP;"),
+      instruction("IF CC JUMP (BP), not taken, wrongly predicted", 9, "V 1.4",
+                  "IF !CC JUMP .Lx (BP); .Lx: NOP;", "NOP;"),
+      instruction("JUMP.L", 5, "V 1.4", "JUMP.L .Lx; .Lx: NOP;", "NOP;"),
+      instruction("JUMP (P2)", 5, "V 1.4",
+                  "P2.L = .Lx; P2.H = .Lx; NOP; NOP; NOP; NOP; JUMP (P2); .Lx: NOP;",
+                  "P2.L = .Lx; P2.H = .Lx; NOP; NOP; NOP; NOP; .Lx: NOP;"),
+      instruction("CALL (P2) and RTS", 10, "V 1.4",
+                  "P2.L = .Lx; P2.H = .Lx; NOP; NOP; NOP; NOP; CALL (P2); JUMP.S .Ly; .Lx: RTS; "
+                  ".Ly: NOP;",
+                  "P2.L = .Lx; P2.H = .Lx; NOP; NOP; NOP; NOP; JUMP.S .Ly; .Lx: .Ly: NOP;"),
+      way_back("RTI", "V 1.4", 14, "RAISE 14;", "RTI"),
+      way_back("RTX", "V 1.4", 3, "EXCPT 5;", "RTX"),
       instruction("IF CC R1 = R0", 1, "V 1.4", "IF CC R1 = R0;"),
       instruction("LSETUP", 1, "V 1.4", "LSETUP (.Lx, .Lx) LC0 = P1; .Lx: NOP;", "NOP; NOP;"),
       instruction("load of a P register, then its use as an address", 3, "V 1.5",
@@ -139,8 +183,22 @@ std::vector<Figure> instructions() {
       instruction("CC set, then IF CC JUMP (BP), beside CC set before", 0, "D 1.5",
                   "CC = R0 == 0; IF CC JUMP .Lx (BP); NOP; .Lx: NOP;",
                   "NOP; IF CC JUMP .Lx (BP); NOP; .Lx: NOP;"),
+      instruction("ALU, then ALU with its result", 0, "D 1.5", "R2 = R0 + R1; R3 = R2 + R1;",
+                  "R2 = R0 + R1; NOP;"),
+      instruction("MAC, then MAC to the same accumulator", 0, "D 1.5",
+                  "A0 += R0.L * R1.L; A0 += R0.L * R1.L;", "A0 += R0.L * R1.L; NOP;"),
+      instruction("accumulator to a half, then its store", 0, "D 1.5", "R2.L = A0; W[P0] = R2;",
+                  "R2.L = A0; NOP;"),
+      instruction("load, then MAC with it", 0, "D 1.5", "R2 = [P0]; A0 += R2.L * R1.L;",
+                  "R2 = [P0]; NOP;"),
+      instruction("I stepped, then its use as an address", 0, "D 1.5", "R2 = [I0++]; R3 = [I0];",
+                  "R2 = [I0++]; NOP;"),
+      instruction("P stepped, then its use as an address", 0, "D 1.5", "R2 = [P0++]; R3 = [P0];",
+                  "R2 = [P0++]; NOP;"),
       instruction("R1 *= R0", 3, "V 1.6", "R1 *= R0;"),
       instruction("A0 += R0.L * R1.L", 1, "V 1.6", "A0 += R0.L * R1.L;"),
+      instruction("two MACs with two loads", 1, "V 1.6",
+                  "A1 += R0.H * R1.H, A0 += R0.L * R1.L || R0 = [I0++] || R2 = [I1++];"),
       instruction("push of 14 registers", 14, "V 1.6", "[--SP] = (R7:0, P5:0);"),
       instruction("pop of 11 registers", 11, "V 1.6", "SP += -44; (R7:0, P5:3) = [SP++];",
                   "SP += -44;"),
@@ -149,12 +207,20 @@ std::vector<Figure> instructions() {
       instruction("SSYNC, nothing pending", 10, "V 1.6", "SSYNC;"),
       instruction("STI", 3, "V 1.6", "STI R0;"),
       instruction("RAISE, masked", 3, "V 1.6", "CLI R2; RAISE 9;", "CLI R2;"),
+      {"EXCPT, beside the entry", 3, "CCLK", "V 1.6", exception_instruction},
       instruction("CLI", 1, "V 1.6", "CLI R2;"),
+      instruction("TESTSET, beside its accesses", 2, "V 1.6", "TESTSET (P0);"),
+      {"wake from IDLE", 10, "CCLK", "V 1.6", wake_from_idle},
       instruction("DIVS", 1, "V 1.6", "DIVS (R0, R1);"),
+      instruction("DIVQ", 1, "V 1.6", "DIVQ (R0, R1);"),
       instruction("ONES", 1, "V 1.6", "R2.L = ONES R1;", ""),
       instruction("SAA with two loads", 1, "V 1.6",
                   "SAA (R1:0, R3:2) || R0 = [I0++] || R2 = [I1++];", ""),
+      instruction("BYTEOP16P with two loads", 1, "V 1.6",
+                  "(R7, R6) = BYTEOP16P (R1:0, R3:2) || R0 = [I0++] || R2 = [I1++];"),
       instruction("load from L1", 1, "V 2.2", "R2 = [P0];"),
+      instruction("two loads from one sub-bank, of words that differ in address bit 2", 1, "V 2.2",
+                  "MNOP || R2 = [P0] || R3 = [I1];"),
   };
 }
 
