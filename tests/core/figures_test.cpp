@@ -1,11 +1,10 @@
 // docs/fidelity.md holds what was published of single instructions and accesses (hardware.md,
 // sections 1 to 3, marks V and D) against what is simulated, with nobody else about.
-#include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
-#include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tests/fidelity/published_figure.hpp>
 
 #include "core_harness.hpp"
 #include <common/file.hpp>
@@ -13,13 +12,7 @@
 namespace finback::core {
 namespace {
 
-struct Figure {
-  std::string what;
-  double published = 0;
-  const char* unit = "CCLK";
-  const char* source = "";  // mark and section
-  std::function<double()> simulated;
-};
+using Figure = PublishedFigure;
 
 // ---- instructions ----
 
@@ -252,18 +245,11 @@ std::vector<Figure> accesses() {
   };
 }
 
-std::string row(const Figure& figure) {
-  const double simulated = figure.simulated();
-  const bool within = std::abs(simulated - figure.published) <= 0.05 * figure.published;
-  return fmt::format("| {} | {:g} | {:.4g} | {} | {} | {} |", figure.what, figure.published,
-                     simulated, figure.unit, figure.source, within ? "within 5 %" : "**not**");
-}
-
 TEST(PublishedFigures, StandOnThePageAsTheyAreSimulated) {
   const std::string page = read_text_file(FINBACK_FIDELITY_PAGE);
   for (const std::vector<Figure>& figures : {instructions(), accesses()}) {
     for (const Figure& figure : figures) {
-      EXPECT_THAT(page, testing::HasSubstr("\n" + row(figure) + "\n"));
+      EXPECT_THAT(page, testing::HasSubstr("\n" + figure.row() + "\n"));
     }
   }
 }
@@ -273,7 +259,7 @@ TEST(PublishedFigures, AreMetButForThoseThatThePageExplains) {
   std::vector<std::string> missed;
   for (const std::vector<Figure>& figures : {instructions(), accesses()}) {
     for (const Figure& figure : figures) {
-      if (row(figure).find("**not**") != std::string::npos) {
+      if (figure.row().find("**not**") != std::string::npos) {
         missed.push_back(figure.what);
       }
     }
