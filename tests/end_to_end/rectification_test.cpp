@@ -13,10 +13,6 @@
 namespace finback {
 namespace {
 
-Cycles rectification_cycles(const runner::RunOutcome& outcome) {
-  return runner::trace_counters(outcome.result).at("stage.core_a.rectification.cycles");
-}
-
 // What the firmware must make of a raw pair with these tables: sub-sampled, rectified, matched.
 std::vector<std::uint8_t> reference_with(const stereo_reference::FirmwareTables& tables,
                                          const scenes::Scene& raw) {
@@ -85,6 +81,10 @@ TEST(Rectification, TheWebcamRigsPairBecomesARectifiedMap) {
 }
 
 #ifdef FINBACK_WAITING_RECTIFICATION
+Cycles rectification_cycles(const runner::RunOutcome& outcome) {
+  return runner::trace_counters(outcome.result).at("stage.core_a.rectification.cycles");
+}
+
 TEST(Rectification, IsMuchShorterWhenTablesComeBesideTheComputing) {
   const FirmwareCopy copy("waiting");
   const std::filesystem::path unit = "rectify_stream.bir";
