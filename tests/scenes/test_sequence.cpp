@@ -157,7 +157,10 @@ class FolderTest : public testing::Test {
   void picture(const std::string& name, std::uint8_t grey) {
     write_png(ByteImage(8, 6, grey), folder_ / name);
   }
-  fs::path folder_ = fs::path(testing::TempDir()) / "finback_sequence";
+  // Of the test's own: several run at once.
+  fs::path folder_ =
+      fs::path(testing::TempDir()) /
+      (std::string("finback_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(FolderTest, PairsComeInTheOrderOfTheirNames) {
