@@ -91,8 +91,10 @@ int verdict_on(const Runs& runs, bool say_equal) {
     fmt::print(stderr, "finback: {}\n", runs.differing);
     return kBadInput;
   }
-  if (say_equal && runs.results.size() > 1) {
-    fmt::print("\nThe maps of all {} are equal in every pixel.\n", runs.results.size());
+  const std::size_t count = runs.results.size();
+  if (say_equal && count > 1) {
+    fmt::print("\nThe maps of {} are equal in every pixel.\n",
+               count == 2 ? "both" : fmt::format("all {}", count));
   }
   return kFine;
 }

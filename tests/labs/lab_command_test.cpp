@@ -72,7 +72,7 @@ TEST_F(Lab, RunTakesTheOptionsOfRun) {
   ASSERT_EQ(finished.exit_code, 0) << finished.err;
   EXPECT_THAT(finished.out, StartsWith("dma: "));
   EXPECT_THAT(finished.out, HasSubstr("Scene synthetic, machine bf561, 2 frames"));
-  EXPECT_THAT(finished.out, HasSubstr("The maps of all 2 are equal in every pixel."));
+  EXPECT_THAT(finished.out, HasSubstr("The maps of both are equal in every pixel."));
 }
 
 TEST_F(Lab, SaysWhereMapsDiffer) {
