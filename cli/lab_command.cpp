@@ -78,13 +78,6 @@ std::optional<Runs> run_all(const LabOptions& options, const std::vector<Rung>& 
   return runs;
 }
 
-// What --json or --csv wants; "" without them.
-std::string machine_text(const LabOptions& options, const Runs& runs) {
-  return options.json  ? report::comparison_json(runs.results)
-         : options.csv ? report::comparison_csv(runs.results)
-                       : "";
-}
-
 // The end of every command: maps that should be equal and are not.
 int verdict_on(const Runs& runs, bool say_equal) {
   if (!runs.differing.empty()) {
@@ -97,6 +90,15 @@ int verdict_on(const Runs& runs, bool say_equal) {
                count == 2 ? "both" : fmt::format("all {}", count));
   }
   return kFine;
+}
+
+// Prints the runs as they are wanted: for programs, or as `text` makes a page of them.
+template <class Text>
+int tell(const LabOptions& options, const Runs& runs, const Text& text) {
+  fmt::print("{}", options.json  ? report::comparison_json(runs.results)
+                   : options.csv ? report::comparison_csv(runs.results)
+                                 : text());
+  return verdict_on(runs, !options.json && !options.csv);
 }
 
 // What was run, and a table below it.
@@ -126,18 +128,14 @@ int run_one(const LabOptions& options) {
   if (!runs) {
     return kInterrupted;
   }
-  if (options.json || options.csv) {
-    fmt::print("{}", machine_text(options, *runs));
-    return verdict_on(*runs, false);
-  }
-  const report::RunResult& result = runs->results.back().result;
-  fmt::print("{}{}{}\n{}", rung.name, rung.change.empty() ? "" : ": ", rung.change,
-             under_setting(result, report::comparison_text(runs->results)));
-  report::Page page;
-  report::write_functions(page, result, kFunctionsShown);
-  report::write_objects(page, result, kObjectsShown);
-  fmt::print("{}", page.take());
-  return verdict_on(*runs, true);
+  return tell(options, *runs, [&] {
+    const report::RunResult& result = runs->results.back().result;
+    report::Page page;
+    report::write_functions(page, result, kFunctionsShown);
+    report::write_objects(page, result, kObjectsShown);
+    return fmt::format("{}{}{}\n{}{}", rung.name, rung.change.empty() ? "" : ": ", rung.change,
+                       under_setting(result, report::comparison_text(runs->results)), page.take());
+  });
 }
 
 int compare(const LabOptions& options) {
@@ -150,13 +148,9 @@ int compare(const LabOptions& options) {
   if (!runs) {
     return kInterrupted;
   }
-  if (options.json || options.csv) {
-    fmt::print("{}", machine_text(options, *runs));
-    return verdict_on(*runs, false);
-  }
-  fmt::print("{}",
-             under_setting(runs->results.front().result, report::comparison_text(runs->results)));
-  return verdict_on(*runs, true);
+  return tell(options, *runs, [&] {
+    return under_setting(runs->results.front().result, report::comparison_text(runs->results));
+  });
 }
 
 int climb(const LabOptions& options) {
@@ -171,12 +165,9 @@ int climb(const LabOptions& options) {
     draw_plot([&](const auto& output) { return report::climb_plot(runs->results, output); },
               options.plot);
   }
-  if (options.json || options.csv) {
-    fmt::print("{}", machine_text(options, *runs));
-    return verdict_on(*runs, false);
-  }
-  fmt::print("{}", under_setting(runs->results.front().result, report::climb_text(runs->results)));
-  return verdict_on(*runs, true);
+  return tell(options, *runs, [&] {
+    return under_setting(runs->results.front().result, report::climb_text(runs->results));
+  });
 }
 
 int diff(const LabOptions& options) {

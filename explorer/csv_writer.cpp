@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <common/csv.hpp>
 #include <explorer/csv_writer.hpp>
 
 namespace finback::explorer {
@@ -25,17 +26,6 @@ class Lines {
 };
 
 }  // namespace
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted += c == '"' ? "\"\"" : std::string(1, c);
-  }
-  return quoted + '"';
-}
 
 std::string to_csv(const Space& space, const Findings& findings) {
   const std::vector<ShownMetric> shown = shown_metrics(space);

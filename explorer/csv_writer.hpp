@@ -12,7 +12,4 @@ namespace finback::explorer {
 // the command that runs the point again.
 [[nodiscard]] std::string to_csv(const Space& space, const Findings& findings);
 
-// A field as it stands in a line: between quotes when it holds what would break the line.
-[[nodiscard]] std::string csv_field(const std::string& text);
-
 }  // namespace finback::explorer

@@ -4,6 +4,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include <common/csv.hpp>
 #include <report/comparison.hpp>
 #include <report/metrics.hpp>
 #include <report/page.hpp>
@@ -120,18 +121,6 @@ void add_bytes(Rows& rows) {
     rows.add("Bytes moved", level + " by DMA", "B",
              [&](const RunResult& r) { return moved(r, level, Mover::dma); });
   }
-}
-
-// A name may be a path: in quotes where it must be.
-std::string csv_field(const std::string& name) {
-  if (name.find_first_of(",\"\r\n") == std::string::npos) {
-    return name;
-  }
-  std::string quoted = "\"";
-  for (const char c : name) {
-    quoted += c == '"' ? "\"\"" : std::string(1, c);
-  }
-  return quoted + '"';
 }
 
 // Whole numbers as such.

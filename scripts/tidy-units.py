@@ -11,8 +11,8 @@ import pathlib
 import shlex
 import sys
 
-BATCH = 800
-# Their files have the same local names (a table a file, a device a file, a command a file).
+# Not to be read together: their files have the same local names (a table a file, a device a file), or include the
+# same generated table.
 APART = {"isa_sim/isa", "peripheral_model", "compiler/target/BfinMCTargetDesc.cpp"}
 
 
@@ -42,9 +42,7 @@ def units_of(database, files):
         alone = file if folder in APART or file in APART else ""
         groups.setdefault((folder, alone, flags_of(commands[path]["command"])), []).append(path)
     for number, ((folder, _, flags), paths) in enumerate(groups.items()):
-        for start in range(0, len(paths), BATCH):
-            name = f"{folder.replace('/', '_')}_{number}_{start // BATCH}.cpp"
-            yield name, flags, paths[start:start + BATCH]
+        yield f"{folder.replace('/', '_')}_{number}.cpp", flags, paths
 
 
 def main():

@@ -476,16 +476,6 @@ bool Core::wait_for_turn(const Operation& operation) {
   return true;
 }
 
-bool Core::give_way(const Operation& operation, memory::Span* span, Address address, Cause cause) {
-  const Cycles from = memory_.core_turn(number_, span, now(operation));
-  if (from == now(operation)) {
-    return false;
-  }
-  add_stall(operation, cause, from - now(operation), address);
-  state_.retry = &operation;
-  return true;
-}
-
 std::optional<Address> Core::place_in_l1(Address address) {
   memory::Span* span = memory_.find_span(number_, address);
   if (span == nullptr) {

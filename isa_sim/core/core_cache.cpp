@@ -14,6 +14,16 @@ memory::CachePolicy Core::cache_policy(memory::Level level, Address address) {
                                    : memory_.default_policy(level);
 }
 
+bool Core::give_way(const Operation& operation, memory::Span* span, Address address, Cause cause) {
+  const Cycles from = memory_.core_turn(number_, span, now(operation));
+  if (from == now(operation)) {
+    return false;
+  }
+  add_stall(operation, cause, from - now(operation), address);
+  state_.retry = &operation;
+  return true;
+}
+
 std::uint8_t* Core::cached_access(const Operation& operation, memory::Span* span, Address address,
                                   int bytes, bool write, bool continued,
                                   memory::CachePolicy policy) {

@@ -1,12 +1,11 @@
 // The registers of the external port (EBIU): what the SDRAM is, and how fast.
 //
 // Models: SDGCTL (CL, tRAS, tRP, tRCD, tWR, which change the time of accesses from the write on),
-// SDRRC (the refresh period), SDBCTL (size, columns), SDSTAT (idle; self-refresh,
-// which keeps all contents); AMGCTL and AMBCTL0/1 (which
-// banks of asynchronous memory there are, how wide and how slow; CDPRIO). After reset the SDRAM's
-// tell what the machine's parameters say. Does not model: the power-up sequence, what leaving
-// self-refresh costs, the clock output. Source: hardware.md 2.4, 2.5; addresses and bits as in the
-// EBIU registers of defBF561.h.
+// SDRRC (the refresh period), SDBCTL (size, columns), SDSTAT (idle; self-refresh, which
+// keeps all contents); AMGCTL and AMBCTL0/1 (which banks of asynchronous memory there are, how wide
+// and how slow; CDPRIO). After reset the SDRAM's tell what the machine's parameters say. Does not
+// model: the power-up sequence, what leaving self-refresh costs, the clock output. Source:
+// hardware.md 2.4, 2.5; addresses and bits as in the EBIU registers of defBF561.h.
 #pragma once
 
 #include <cstdint>

@@ -62,7 +62,8 @@ TEST(Rectification, TheWebcamRigsPairBecomesARectifiedMap) {
   const std::filesystem::path boards = data / "calibration" / "usbcam_640x480";
   const std::filesystem::path pair = data / "realpairs" / "usbcam_640x480";
   if (!std::filesystem::exists(boards) || !std::filesystem::exists(pair)) {
-    GTEST_SKIP() << boards << " is not there; set FINBACK_SHARED_DATA to a data folder";
+    GTEST_SKIP() << boards << " or " << pair
+                 << " is not there; set FINBACK_SHARED_DATA to a data folder";
   }
   std::vector<std::string> left;
   std::vector<std::string> right;

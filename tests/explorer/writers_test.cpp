@@ -1,6 +1,7 @@
 // What tables, comma-separated values and plots say.
 #include <gmock/gmock.h>
 
+#include <common/csv.hpp>
 #include <common/error.hpp>
 #include <explorer/csv_writer.hpp>
 #include <explorer/plot.hpp>
