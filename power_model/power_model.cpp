@@ -44,14 +44,14 @@ double activity_factor(const PowerParameters& p, const CoreActivity& core) {
   const double busy = static_cast<double>(core.cycles - std::min(core.cycles, core.idle_cycles));
   const double asleep = static_cast<double>(core.cycles) - busy;
   const double nop = p.activity_nop;
+  const double mac = p.activity_mac + p.activity_toggle * p.activity_mac_toggling;
   const auto above_nop = [nop](std::uint64_t operations, double factor) {
     return static_cast<double>(operations) * (factor - nop);
   };
   const double operations = above_nop(core.alu_operations, p.activity_alu) +
-                            above_nop(core.mac_operations, p.activity_mac) +
+                            above_nop(core.mac_operations, mac) +
                             above_nop(core.access_operations, p.activity_access);
-  const double dearest =
-      std::max({double{p.activity_alu}, double{p.activity_mac}, double{p.activity_access}, nop});
+  const double dearest = std::max({double{p.activity_alu}, mac, double{p.activity_access}, nop});
   const double busy_activity = std::min(busy * nop + operations, busy * dearest);
   return (busy_activity + asleep * p.activity_idle) / static_cast<double>(core.cycles);
 }

@@ -50,8 +50,17 @@ struct PowerParameters : ParameterGroup {
                               "hardware.md 5.2 (EE-297, vector TYP)", "an ALU or shift operation"}};
   RealParameter activity_mac{
       this,
-      {"power.activity.mac", "", 1.29, 0, 2, 'V', "hardware.md 5.2 (EE-297, vector HIGH)",
-       "a multiply or multiply-accumulate"}};
+      {"power.activity.mac", "", 1.00, 0, 2, 'D', "hardware.md 5.2 (EE-297, vectors TYP, APP)",
+       "a multiply or multiply-accumulate on typical data"}};
+  RealParameter activity_mac_toggling{
+      this,
+      {"power.activity.mac_toggling", "", 0.29, 0, 2, 'D',
+       "hardware.md 5.2 (EE-297, vector HIGH beside TYP)",
+       "what data of which every bit changes adds to a multiply or multiply-accumulate"}};
+  RealParameter activity_toggle{
+      this,
+      {"power.activity.toggle", "", 0, 0, 1, 'E', "hardware.md 5.2 (EE-297, vector PEAK)",
+       "the data that the multipliers work on: 0 typical, 1 every bit changes every time"}};
 
   // External bus and SDRAM.
   RealParameter io_volts{this,
