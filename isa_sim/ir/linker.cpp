@@ -175,9 +175,12 @@ class Linker {
         result = value.number;
         continue;
       }
-      const Target target = symbols_.resolve(reference, value.symbol);
+      const bool goes_there = isa::is_code_address(roles[i].kind);
+      const Target target = symbols_.resolve(
+          {.from = reference.from, .place = reference.place, .takes_address = !goes_there},
+          value.symbol);
       const Address sum = target.address + static_cast<Address>(value.number);
-      if (isa::is_code_address(roles[i].kind)) {
+      if (goes_there) {
         check_branch(reference, value, target);
         check_distance(reference, roles[i].kind, value, sum - address);
         result = static_cast<std::int32_t>(sum);

@@ -75,7 +75,8 @@ std::optional<Symbols::Target> Symbols::label(const Thing& function,
   return Target{function.address + offsets(*function.function)[found->second], true};
 }
 
-// Objects also see the labels of their unit's functions (tables of jumps).
+// Where an address is taken, the labels of the unit's functions are seen, too: tables of jumps, and
+// labels as values in what was inlined elsewhere.
 Symbols::Target Symbols::resolve(const Reference& reference, const std::string& symbol) const {
   const Thing& from = reference.from;
   if (from.function != nullptr) {
@@ -94,7 +95,7 @@ Symbols::Target Symbols::resolve(const Reference& reference, const std::string& 
       return found->second.target;
     }
   }
-  if (from.object != nullptr) {
+  if (reference.takes_address) {
     if (const auto target = label_of_unit(reference, symbol)) {
       return *target;
     }

@@ -31,6 +31,7 @@ class Symbols {
   struct Reference {
     const Thing& from;
     SourcePlace place;
+    bool takes_address = true;  // rather than going there
   };
 
   // Both must outlive the symbols.

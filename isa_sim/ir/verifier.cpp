@@ -338,9 +338,13 @@ class Verifier {
     for (const Function& function : program_.functions) {
       for (const Packet& packet : function.packets) {
         for (const ParsedInstruction& instruction : packet.slots) {
-          for (const OperandValue& value : instruction.operand) {
+          const isa::OperandRoles& roles = isa::roles_of(instruction.instruction);
+          for (int i = 0; i < roles.count; ++i) {
+            const OperandValue& value = instruction.operand[static_cast<std::size_t>(i)];
+            const bool elsewhere =
+                !isa::is_code_address(roles[i].kind) && labels.contains(value.symbol);
             if (value.symbol.starts_with(".L") && !function.labels.contains(value.symbol) &&
-                !symbols.contains(value.symbol)) {
+                !symbols.contains(value.symbol) && !elsewhere) {
               report(packet.written,
                      fmt::format("{} has no label {}", function.name, value.symbol));
             }

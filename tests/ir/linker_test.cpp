@@ -234,6 +234,22 @@ TEST(Linker, KeepsCoresAndFilesApart) {
   }
 }
 
+TEST(Linker, AddressesOfLabelsAreSeenAllOverTheFile) {
+  const std::string taker = ".type _g, @function\n_g: P0.L = .La; RTS;\n";
+  const std::string other = ".type _h, @function\n_h: RTS; .La: RTS;\n";
+  const Image image = link(core_a({unit(start() + taker + other)}), default_placement(), map());
+  const CoreImage& core = image.cores[0];
+  const Address label = function_of(core, "h").address + 2;
+  EXPECT_EQ(text_of(core.packets[1]), "P0.L = " + std::to_string(label & 0xffff));
+  EXPECT_EQ(link_error(core_a({unit(start(".La: RTS;\n") + taker + other)})),
+            "a.bir:7:5: g takes the address of label .La, which two functions of this file have");
+  EXPECT_EQ(error_of([&] { (void)unit(start() + taker); }), "a.bir:7:5: _g has no label .La");
+  EXPECT_THAT(link_error(core_a({unit(start() + ".type _g, @function\n_g: P0.L = place; RTS;\n" +
+                                      ".type _h, @function\n_h: RTS; place: JUMP elsewhere;\n" +
+                                      ".type _i, @function\n_i: elsewhere: RTS;\n")})),
+              HasSubstr("function h refers to elsewhere, which"));
+}
+
 TEST(Linker, SharedObjectsSeeOnlySharedSymbols) {
   FirmwareUnits firmware = core_a({unit(start())});
   firmware.shared = {unit(".data\n.align 4\n_p: .byte4 _start\n", "shared.bir")};

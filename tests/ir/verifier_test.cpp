@@ -123,6 +123,9 @@ TEST(Verifier, FunctionsEnd) {
 
 TEST(Verifier, Labels) {
   EXPECT_THAT(problems_of("JUMP .Lx;"), ElementsAre("a.bir:4:1: _f has no label .Lx"));
+  EXPECT_THAT(problems_of(".Lx: RTS;\n.type _g, @function\n_g: P0.L = .Lx; RTS;"), IsEmpty());
+  EXPECT_THAT(problems_of(".Lx: RTS;\n.type _g, @function\n_g: JUMP .Lx;"),
+              ElementsAre("a.bir:6:5: _g has no label .Lx"));
   EXPECT_THAT(problems_of("_x: RTS;\n.data\n_x: .long 1"),
               ElementsAre("a.bir:3:1: label _x of _f is a function or an object, too"));
   EXPECT_THAT(problems_of("RTS;\n.data\n_x: .long .Lx"),

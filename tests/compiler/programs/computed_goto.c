@@ -45,7 +45,35 @@ odd:
   goto next;
 }
 
+/* Offsets between labels; the part that makes them is inlined where it is called. */
+static short distance[3];
+
+static int wander(const short *way) {
+  static const void *const to[] = {&&first, &&second, &&last};
+  const char *const base = &&first;
+  int sum = 0;
+  if (way == 0) {
+    for (int i = 0; i < 3; i++) distance[i] = (short)((const char *)to[i] - base);
+    return 0;
+  }
+first:
+  sum = sum * 10 + 1;
+  goto *(void *)(base + *way++);
+second:
+  sum = sum * 10 + 2;
+  goto *(void *)(base + *way++);
+last:
+  return sum * 10 + 3;
+}
+
 int main(void) {
+  short way[4];
+  wander(0);
+  way[0] = distance[1];
+  way[1] = distance[0];
+  way[2] = distance[1];
+  way[3] = distance[2];
+  report("wander", (unsigned)wander(way));
   static const unsigned char program[] = {0, 3, 0, 4, 1, 4, 2, 0, 5, 3, 2, 5};
   report("run", (unsigned)run(program));
   report("states", (unsigned)states("1001101"));
