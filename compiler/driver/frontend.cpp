@@ -62,6 +62,8 @@ std::vector<std::string> language_options(const std::string& input, const Option
                                       "-U__cskyabi__",
                                       "-U__CSKYLE__",
                                       "-U__cskyle__",
+                                      "-Wno-builtin-macro-redefined",
+                                      "-D__STDC_HOSTED__=0",
                                       "-D__bfin__=1",
                                       "-D__BFIN__=1",
                                       "-D__ADSPBF561__=1",
@@ -70,12 +72,13 @@ std::vector<std::string> language_options(const std::string& input, const Option
                                       std::string("-O") + options.level,
                                       "-isystem",
                                       include_dir};
+  // Not -ffreestanding: it takes main for a function like any other, which at its closing brace
+  // returns anything in C, and has another name in C++.
   if (is_cpp(input))
-    // Freestanding C++ would take main for a function like any other, and change its name.
     command.insert(command.end(), {"-std=gnu++17", "-fno-exceptions", "-fno-rtti", "-nostdinc++",
                                    "-fno-threadsafe-statics", "-fno-use-cxa-atexit"});
   else
-    command.insert(command.end(), {"-std=gnu11", "-ffreestanding"});
+    command.insert(command.end(), {"-std=gnu11"});
   command.insert(command.end(), options.clang_arguments.begin(), options.clang_arguments.end());
   return command;
 }

@@ -87,5 +87,5 @@ int main(void) {
   report("func", s);
   _Pragma("GCC diagnostic push") report("pragma", true + false);
   _Pragma("GCC diagnostic pop");
-  return 0;
+  /* main returns 0 here, C11 5.1.2.2.3 */
 }
