@@ -112,12 +112,14 @@ std::optional<MemorySide::Want> MemorySide::want(Cycles now) {
   return want;
 }
 
-Cycles MemorySide::burst(memory::Direction direction, std::uint32_t element_bytes, Cycles now) {
+Cycles MemorySide::burst(memory::Direction direction, std::uint32_t element_bytes, bool further,
+                         Cycles now) {
   const Cycles asked_at = asked_at_;
   asked_at_ = kNever;
   return internal_ ? memory_.internal_dma_burst(initiator_, direction, runs_, element_bytes, now,
                                                 asked_at)
-                   : memory_.dma_burst(initiator_, direction, runs_, element_bytes, now, asked_at);
+                   : memory_.dma_burst(initiator_, direction, runs_, element_bytes, now, asked_at,
+                                       further);
 }
 
 std::uint32_t MemorySide::grant(Cycles now, std::uint32_t most) {
@@ -133,9 +135,9 @@ std::uint32_t MemorySide::grant(Cycles now, std::uint32_t most) {
   for (const memory::DmaRun& run : runs_) {
     check(run, width, kCurrentAddress);
   }
-  unit_begun_ = true;
   done_at_ = burst(channel_.writes_memory() ? memory::Direction::write : memory::Direction::read,
-                   width, now);
+                   width, unit_begun_, now);
+  unit_begun_ = true;
   return elements_;
 }
 
@@ -143,7 +145,7 @@ void MemorySide::fetch_descriptor(Cycles now) {
   runs_.push_back(channel_.descriptor());
   check(runs_.front(), 2, kCurrentDescriptorPointer);
   check_descriptor_space(runs_.front().address);
-  done_at_ = burst(memory::Direction::read, 2, now) + ratio_.cycles(descriptor_overhead_);
+  done_at_ = burst(memory::Direction::read, 2, false, now) + ratio_.cycles(descriptor_overhead_);
   ++counters_.descriptors;
 }
 

@@ -72,7 +72,8 @@ class MemorySide {
              std::uint32_t register_offset) const;
   void check_descriptor_space(Address address);
   void check_pair() const;
-  [[nodiscard]] Cycles burst(memory::Direction direction, std::uint32_t element_bytes, Cycles now);
+  [[nodiscard]] Cycles burst(memory::Direction direction, std::uint32_t element_bytes, bool further,
+                             Cycles now);
   void begin_unit();
   void end_descriptor(Cycles now);
   void end_burst(Cycles now);

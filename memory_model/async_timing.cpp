@@ -102,15 +102,18 @@ Cycles AsyncTiming::posted_write(Address address, std::uint32_t bytes, Cycles st
   return bus_.free_at();
 }
 
-Cycles AsyncTiming::dma_start(bool write, Address address, Cycles now) {
-  const Cycles start = bus_.acquire(now, async_bank(address), write);
-  bus_.is_dma();
-  return start + ratio_.cycles(dma_overhead_);
+Cycles AsyncTiming::dma_start(Initiator who, Direction direction, bool further, Address address,
+                              Cycles now) {
+  const bool goes_on = further && bus_.was_last(who, direction);
+  const Cycles start = bus_.acquire(now, async_bank(address), direction == Direction::write);
+  bus_.is_dma(who, direction);
+  return goes_on ? start : start + ratio_.cycles(dma_overhead_);
 }
 
-Cycles AsyncTiming::dma_words(bool write, Address address, std::uint32_t count, std::uint32_t bytes,
-                              Cycles start) {
+Cycles AsyncTiming::dma_words(Direction direction, Address address, std::uint32_t count,
+                              std::uint32_t bytes, Cycles start) {
   const Bank& b = bank(address);
+  const bool write = direction == Direction::write;
   const Cycles beat = b.setup + (write ? b.write : b.read) + b.hold;
   bus_.hold_until(start + ratio_.cycles(count * beats(address, bytes) * beat));
   if (!write) {

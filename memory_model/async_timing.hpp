@@ -48,8 +48,8 @@ class AsyncTiming {
   }
   LineFill line_fill(Address address, Cycles now);
   Cycles posted_write(Address address, std::uint32_t bytes, Cycles start);
-  Cycles dma_start(bool write, Address address, Cycles now);
-  Cycles dma_words(bool write, Address address, std::uint32_t count, std::uint32_t bytes,
+  Cycles dma_start(Initiator who, Direction direction, bool further, Address address, Cycles now);
+  Cycles dma_words(Direction direction, Address address, std::uint32_t count, std::uint32_t bytes,
                    Cycles start);
   void change_clock(const clock::ClockChange& change) { ratio_ = change.to; }
 

@@ -14,6 +14,7 @@
 
 #include <clock_model/clock_ratio.hpp>
 #include <common/units.hpp>
+#include <memory_model/traffic.hpp>
 
 namespace finback::memory {
 
@@ -37,7 +38,7 @@ class ExternalBus {
   [[nodiscard]] Cycles core_from(int core, Cycles now) {
     Cycles& since = standing_since_[static_cast<std::size_t>(core)];
     const bool gives_way =
-        free_at_ > now && held_by_dma_ && (dma_first_ || urgent_[0] || urgent_[1]);
+        free_at_ > now && dma_ != kNobody && (dma_first_ || urgent_[0] || urgent_[1]);
     if (!gives_way || (since != kNever && now - since >= patience_)) {
       since = kNever;
       return now;
@@ -78,11 +79,15 @@ class ExternalBus {
       from_ = std::max(from_, free_at_ + transition_);
     }
     last_read_ = kSynchronous;
-    held_by_dma_ = false;
+    dma_ = kNobody;
     return from_;
   }
-  // The access that acquired the bus last is DMA's.
-  void is_dma() { held_by_dma_ = true; }
+  // The access that acquired the bus last is a burst of `who`.
+  void is_dma(Initiator who, Direction direction) { dma_ = stream(who, direction); }
+  // Nobody has had the bus since a burst of `who` in that direction.
+  [[nodiscard]] bool was_last(Initiator who, Direction direction) const {
+    return dma_ == stream(who, direction);
+  }
   // The access that acquired the bus last begins later (a refresh comes before it).
   void delay_to(Cycles start) { from_ = start; }
   // It holds the bus until `end`.
@@ -107,6 +112,11 @@ class ExternalBus {
   }
 
  private:
+  static constexpr int kNobody = -1;
+  static constexpr int stream(Initiator who, Direction direction) {
+    return 2 * static_cast<int>(who) + static_cast<int>(direction);
+  }
+
   Cycles free_at_ = 0;
   Cycles from_ = 0;  // when the access that has the bus acquired it
   int last_read_ = kSynchronous;
@@ -116,7 +126,7 @@ class ExternalBus {
   Cycles patience_sclk_;
   Cycles patience_;
   bool dma_first_ = false;
-  bool held_by_dma_ = false;
+  int dma_ = kNobody;                              // whose burst has or had the bus last
   std::array<Cycles, kCoreCount> standing_since_;  // kNever: the core does not give way
   std::array<Cycles, 2> asking_since_;             // by DMA controller; kNever: it does not wait
   std::array<bool, 2> urgent_{};

@@ -67,9 +67,9 @@ class L2Timing {
   }
   [[nodiscard]] Cycles port_free_at() const { return port_free_at_; }
 
-  // A DMA burst: when its first word can pass.
-  [[nodiscard]] Cycles dma_start(Cycles now) const {
-    return std::max(now, dma_free_at_) + ratio_.cycles(dma_overhead_);
+  // A DMA burst: when its first word can pass. `further`: not the first of its work unit.
+  [[nodiscard]] Cycles dma_start(bool further, Cycles now) const {
+    return std::max(now, dma_free_at_) + (further ? 0 : ratio_.cycles(dma_overhead_));
   }
   // `words` words between the addresses `low` and `high`: returns when they have passed.
   Cycles dma_words(Address low, Address high, std::uint32_t words, Cycles start);

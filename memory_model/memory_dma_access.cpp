@@ -83,18 +83,19 @@ Cycles MemorySystem::dma_free_at(const Span& span) const {
   return l1_dma_free_at_[static_cast<std::size_t>(span.core)];
 }
 
-Cycles MemorySystem::dma_start(const Span& span, Direction direction, Cycles now) {
-  const bool write = direction == Direction::write;
+Cycles MemorySystem::dma_start(const Span& span, Initiator initiator, Direction direction,
+                               bool further, Cycles now) {
   switch (span.level) {
     case Level::l2:
-      return l2_.dma_start(now);
+      return l2_.dma_start(further, now);
     case Level::l3:
-      return is_asynchronous(span.base) ? async_.dma_start(write, span.base, now)
-                                        : sdram_.dma_start(write, now);
+      return is_asynchronous(span.base)
+                 ? async_.dma_start(initiator, direction, further, span.base, now)
+                 : sdram_.dma_start(initiator, direction, further, now);
     case Level::l1:
       break;
   }
-  return std::max(now, dma_free_at(span)) + ratio_.cycles(l1_dma_overhead_);
+  return std::max(now, dma_free_at(span)) + (further ? 0 : ratio_.cycles(l1_dma_overhead_));
 }
 
 Cycles MemorySystem::dma_words(const Span& span, Direction direction, const DmaRun& run,
@@ -105,13 +106,11 @@ Cycles MemorySystem::dma_words(const Span& span, Direction direction, const DmaR
       return l2_.dma_words(static_cast<Address>(extent.low), static_cast<Address>(extent.high),
                            run.count, start);
     }
-    case Level::l3: {
-      const bool write = direction == Direction::write;
+    case Level::l3:
       return is_asynchronous(run.address)
-                 ? async_.dma_words(write, run.address, run.count, element_bytes, start)
-                 : sdram_.dma_words(write, run.address, run.stride, run.count, element_bytes,
+                 ? async_.dma_words(direction, run.address, run.count, element_bytes, start)
+                 : sdram_.dma_words(direction, run.address, run.stride, run.count, element_bytes,
                                     start);
-    }
     case Level::l1:
       break;
   }
@@ -168,7 +167,7 @@ void MemorySystem::count_wait(Span& span, Initiator initiator, Direction directi
 
 Cycles MemorySystem::dma_burst(Initiator initiator, Direction direction,
                                std::span<const DmaRun> runs, std::uint32_t element_bytes,
-                               Cycles now, Cycles asked_at) {
+                               Cycles now, Cycles asked_at, bool further) {
   if (observer_ != nullptr) {
     observer_->dma_access(initiator, runs, element_bytes, direction, now);
   }
@@ -183,7 +182,7 @@ Cycles MemorySystem::dma_burst(Initiator initiator, Direction direction,
       count_wait(*span, initiator, direction, std::max(now, dma_free_at(*span)) - asked_at);
     }
     if (previous == nullptr || previous->region != span->region) {
-      time = dma_start(*span, direction, time);
+      time = dma_start(*span, initiator, direction, further, time);
     }
     time = dma_words(*span, direction, run, element_bytes, time);
     count_run(initiator, direction, run, element_bytes);

@@ -14,7 +14,7 @@ struct MemoryParameters final : ParameterGroup {
   IntegerParameter l1_dma_overhead_sclk{
       this,
       {"memory.l1.dma_overhead_sclk", "SCLK", 2, 0, 64, 'E', "hardware.md 3.2",
-       "start of a DMA burst on a core's L1 port, before its first word"}};
+       "start of DMA on a core's L1 port, before a work unit's first word"}};
   IntegerParameter l1_dma_word_sclk{this,
                                     {"memory.l1.dma_word_sclk", "SCLK", 1, 1, 64, 'D',
                                      "hardware.md 3.2", "one DMA word on a core's L1 port"}};
@@ -47,7 +47,7 @@ struct MemoryParameters final : ParameterGroup {
   IntegerParameter l2_dma_overhead_sclk{
       this,
       {"memory.l2.dma_overhead_sclk", "SCLK", 2, 0, 64, 'E', "hardware.md 3.2",
-       "start of a DMA burst on L2's DMA port, before its first word"}};
+       "start of DMA on L2's DMA port, before a work unit's first word"}};
   IntegerParameter l2_dma_word_sclk{this,
                                     {"memory.l2.dma_word_sclk", "SCLK", 1, 1, 64, 'V',
                                      "hardware.md 2.3", "one DMA word on L2's 32-bit DMA port"}};
@@ -122,7 +122,8 @@ struct MemoryParameters final : ParameterGroup {
   IntegerParameter sdram_dma_overhead_sclk{
       this,
       {"memory.sdram.dma_overhead_sclk", "SCLK", 1, 0, 64, 'E', "hardware.md 3.2",
-       "lost at the start of every DMA burst, besides CL (read) or tWR (write)"}};
+       "lost, besides CL (read) or tWR (write), where a DMA burst does not go on from the one "
+       "before"}};
   IntegerParameter sdram_turnaround_sclk{
       this,
       {"memory.sdram.turnaround_sclk", "SCLK", 1, 0, 16, 'E', "hardware.md 2.5",

@@ -245,9 +245,10 @@ class MemorySystem {
   [[nodiscard]] DmaPort dma_port(Address address);
   // Times and counts one burst, begun at `now`; returns when its last word has passed. The runs
   // must be free of dma_fault and aligned to `element_bytes` (1, 2 or 4). What it waited for
-  // others since `asked_at` counts as its stall.
+  // others since `asked_at` counts as its stall. `further`: not the first of its work unit, so
+  // that its start lies under the words before it, where the memory allows that.
   Cycles dma_burst(Initiator initiator, Direction direction, std::span<const DmaRun> runs,
-                   std::uint32_t element_bytes, Cycles now, Cycles asked_at);
+                   std::uint32_t element_bytes, Cycles now, Cycles asked_at, bool further = false);
   // The same for IMDMA: at the core clock, through the cores' port of L2. L1 and L2 only.
   Cycles internal_dma_burst(Initiator initiator, Direction direction, std::span<const DmaRun> runs,
                             std::uint32_t element_bytes, Cycles now, Cycles asked_at);
@@ -362,7 +363,8 @@ class MemorySystem {
                  std::uint32_t element_bytes);
   void count_wait(Span& span, Initiator initiator, Direction direction, Cycles cycles);
   [[nodiscard]] Cycles dma_free_at(const Span& span) const;
-  [[nodiscard]] Cycles dma_start(const Span& span, Direction direction, Cycles now);
+  [[nodiscard]] Cycles dma_start(const Span& span, Initiator initiator, Direction direction,
+                                 bool further, Cycles now);
   [[nodiscard]] Cycles dma_words(const Span& span, Direction direction, const DmaRun& run,
                                  std::uint32_t element_bytes, Cycles start);
 

@@ -98,23 +98,28 @@ Cycles SdramTiming::refresh(Cycles start) {
   return from;
 }
 
-Cycles SdramTiming::dma_start(bool write, Cycles now) {
-  const Cycles turn = write == last_dma_write_ ? 0 : turnaround_;
-  last_dma_write_ = write;
+Cycles SdramTiming::dma_start(Initiator who, Direction direction, bool further, Cycles now) {
+  const bool goes_on = further && bus_.was_last(who, direction);
+  const Cycles turn = direction == last_dma_ ? 0 : turnaround_;
+  last_dma_ = direction;
   const Cycles start = acquire(now);
-  bus_.is_dma();
-  return start + turn + dma_overhead_ + (write ? twr_ : cl_);
+  bus_.is_dma(who, direction);
+  if (goes_on) {
+    return start;
+  }
+  return start + turn + dma_overhead_ + (direction == Direction::write ? twr_ : cl_);
 }
 
-Cycles SdramTiming::dma_words(bool write, Address address, std::int32_t stride, std::uint32_t count,
-                              std::uint32_t bytes, Cycles start) {
+Cycles SdramTiming::dma_words(Direction direction, Address address, std::int32_t stride,
+                              std::uint32_t count, std::uint32_t bytes, Cycles start) {
   Cycles now = start;
   while (count > 0) {
     const std::uint64_t page = std::uint64_t{(address - base_) >> page_shift_} << page_shift_;
     const std::uint64_t page_base = base_ + page;
     const std::uint32_t here =
         elements_within(address, stride, count, page_base, page_base + (1ULL << page_shift_));
-    now = open(address, now, write ? twr_ : 0) + ratio_.cycles(here * beats(bytes) * beat_);
+    now = open(address, now, direction == Direction::write ? twr_ : 0) +
+          ratio_.cycles(here * beats(bytes) * beat_);
     count -= here;
     address += here * static_cast<std::uint32_t>(stride);
   }

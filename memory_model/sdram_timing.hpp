@@ -1,8 +1,9 @@
 // What accesses to the SDRAM on the external bus cost.
 //
 // Models: one open row per internal bank; tRCD, tRP, tRAS, tWR, CL; refresh at fixed times, which
-// closes all rows. Who has the bus is external_bus.hpp's. Does not model: the phase of SCLK,
-// command overlap between banks. Source: hardware.md 2.4, 2.5.
+// closes all rows; DMA that goes on where nobody was between pays for rows only. Who has the bus is
+// external_bus.hpp's. Does not model: the phase of SCLK, command overlap between banks. Source:
+// hardware.md 2.4, 2.5, 3.2.
 #pragma once
 
 #include <algorithm>
@@ -71,11 +72,12 @@ class SdramTiming {
     return start + core_read_ + further - now - 1;
   }
 
-  // A DMA burst: when its first word can pass, if its row is open.
-  Cycles dma_start(bool write, Cycles now);
+  // A DMA burst: when its first word can pass, if its row is open. `further`: not the first of its
+  // work unit.
+  Cycles dma_start(Initiator who, Direction direction, bool further, Cycles now);
   // `count` elements of `bytes`, `stride` bytes apart, starting at `start`; returns when the last
   // has passed.
-  Cycles dma_words(bool write, Address address, std::int32_t stride, std::uint32_t count,
+  Cycles dma_words(Direction direction, Address address, std::int32_t stride, std::uint32_t count,
                    std::uint32_t bytes, Cycles start);
 
   [[nodiscard]] const SdramSettings& settings() const { return settings_; }
@@ -154,7 +156,7 @@ class SdramTiming {
   int page_shift_;
   std::vector<Bank> banks_;
   Cycles next_refresh_;
-  bool last_dma_write_ = false;
+  Direction last_dma_ = Direction::read;
   SdramCounters counters_;
 };
 

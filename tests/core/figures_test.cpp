@@ -125,7 +125,7 @@ class Memory {
                                .stride = static_cast<std::int32_t>(element_bytes),
                                .count = 16};
       now = system_->dma_burst(memory::Initiator::mdma1_0, memory::Direction::read, {&run, 1},
-                               element_bytes, now, now);
+                               element_bytes, now, now, i > 0);
     }
     return static_cast<double>(now) / 5 / kBursts / 16;
   }
@@ -249,7 +249,8 @@ TEST(PublishedFigures, StandOnThePageAsTheyAreSimulated) {
   const std::string page = read_text_file(FINBACK_FIDELITY_PAGE);
   for (const std::vector<Figure>& figures : {instructions(), accesses()}) {
     for (const Figure& figure : figures) {
-      EXPECT_THAT(page, testing::HasSubstr("\n" + figure.row() + "\n"));
+      const std::string row = figure.row();
+      EXPECT_NE(page.find("\n" + row + "\n"), std::string::npos) << "not on the page: " << row;
     }
   }
 }
@@ -264,7 +265,7 @@ TEST(PublishedFigures, AreMetButForThoseThatThePageExplains) {
       }
     }
   }
-  EXPECT_THAT(missed, testing::ElementsAre("DMA of 16-bit words, 16-bit bus, each"));
+  EXPECT_THAT(missed, testing::IsEmpty());
 }
 
 }  // namespace

@@ -51,10 +51,9 @@ TEST_F(PeripheralPortTest, AFrameIsCapturedByRowsWithAnInterruptEach) {
       dma1_->write(kPpi0 + kIrqStatus, 2, kDone, lines_.back().at + 1);
     }
   }
-  // A burst of four words into the open row: 1 + tWR 2 + 4 SCLK; the first opens it, tRCD 3, and
-  // turns the bus round, 1.
-  EXPECT_THAT(rows, testing::ElementsAre(1500 + 7 * kSclk, 2500 + 7 * kSclk, 3500 + 7 * kSclk,
-                                         4500 + 7 * kSclk));
+  // A further burst of four words into the open row: 4 SCLK.
+  EXPECT_THAT(rows, testing::ElementsAre(1500 + 4 * kSclk, 2500 + 4 * kSclk, 3500 + 4 * kSclk,
+                                         4500 + 4 * kSclk));
   EXPECT_EQ(lines_[0].source, 11);
   EXPECT_EQ(status(*dma1_, kPpi0), 0U);
   EXPECT_FALSE(dma1_->port(0).running());

@@ -119,7 +119,7 @@ TEST_F(Precedence, NobodyStarvesInAnyCombination) {
           EXPECT_EQ(share.bytes[i], 0U) << who << ", actor " << i;
           continue;
         }
-        EXPECT_GT(share.bytes[i], alone[i] / 8) << who << ", actor " << i << dma_first;
+        EXPECT_GT(share.bytes[i], alone[i] / 9) << who << ", actor " << i << dma_first;
         EXPECT_LE(share.bytes[i], alone[i] + alone[i] / 50) << who << ", actor " << i;
       }
       for (const Cycles longest : share.longest) {

@@ -41,9 +41,9 @@ class MemoryTest : public testing::Test {
     return memory().core_write(core, span(core, address), address, 4, now);
   }
   Cycles dma(Direction direction, Address address, std::uint32_t words, Cycles now,
-             Initiator initiator = Initiator::mdma1_0) {
+             Initiator initiator = Initiator::mdma1_0, bool further = false) {
     const DmaRun run{.address = address, .stride = 4, .count = words};
-    return memory().dma_burst(initiator, direction, {&run, 1}, 4, now, now);
+    return memory().dma_burst(initiator, direction, {&run, 1}, 4, now, now, further);
   }
 
   MemoryMap map_ = bf561_map();

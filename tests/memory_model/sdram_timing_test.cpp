@@ -96,6 +96,32 @@ TEST_F(SdramTimingTest, DmaBurstsStreamAWordASclkBehindTheirOverhead) {
   EXPECT_EQ(dma(Direction::write, kL3, 16, 3000), 3000 + (1 + 2 + 16) * kSclk);
 }
 
+TEST_F(SdramTimingTest, AFurtherBurstStartsAnewOnlyBehindSomebodyElse) {
+  parameters_.sdram_refresh_sclk.set(0);
+  // Cycles that a further burst of 16 words into the open row takes beyond its words.
+  const auto start = [&](Address address, Direction direction, Initiator who, Cycles now) {
+    return dma(direction, address, 16, now, who, true) - now - 16 * kSclk;
+  };
+  const Initiator mine = Initiator::mdma1_0;
+  read(0, kL3, 0);
+  dma(Direction::read, kL3, 16, 1000, mine);
+  EXPECT_EQ(start(kL3 + 64, Direction::read, mine, 2000), 0U);
+  EXPECT_EQ(start(kL3 + 128, Direction::read, mine, 3000), 0U);
+  EXPECT_EQ(start(kL3 + 192, Direction::read, Initiator::mdma1_1, 4000), (1 + 3) * kSclk);
+  EXPECT_EQ(start(kL3 + 192, Direction::read, mine, 5000), (1 + 3) * kSclk);
+  read(1, kL3, 6000);
+  EXPECT_EQ(start(kL3 + 256, Direction::read, mine, 7000), (1 + 3) * kSclk);
+  EXPECT_EQ(start(kL3 + 320, Direction::write, mine, 8000), (1 + 1 + 2) * kSclk);
+  EXPECT_EQ(start(kL3 + 384, Direction::write, mine, 9000), 0U);
+  EXPECT_EQ(start(kL3 + kPage, Direction::write, mine, 10'000), (2 + 3 + 3) * kSclk) << "its row";
+  // On the chip it lies under the words before, whoever was between.
+  for (const Address memory : {kL2, kL1A}) {
+    dma(Direction::read, memory, 16, 11'000, mine);
+    dma(Direction::write, memory, 16, 12'000, Initiator::mdma2_0);
+    EXPECT_EQ(start(memory + 64, Direction::read, mine, 13'000), 0U);
+  }
+}
+
 TEST_F(SdramTimingTest, ABurstOverTwoPagesOpensBoth) {
   read(0, kL3, 0);
   EXPECT_EQ(dma(Direction::read, kL3 + kPage - 32, 16, 1000), 1000 + (1 + 3 + 16 + 3 + 3) * kSclk);
