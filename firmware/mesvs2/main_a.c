@@ -5,6 +5,7 @@
 #include <memory_dma.h>
 
 #include "frames.h"
+#include "pipeline.h"
 #include "rectify_stream.h"
 #include "shared_buffers.h"
 #include "stereo_config.h"
@@ -25,19 +26,17 @@ __attribute__((noinline)) void rectify_pair(int slot) {
 
 /* Until core B has begun with the pair handed over last: a frame that is grabbed earlier only grows
  * old. Two frames are then in the pipeline, and the slot after the last one is empty. */
-__attribute__((noinline)) void wait_for_core_b(unsigned frames_handed_over) {
-  WAIT_UNTIL(frames_handed_over - maps_published < SLOT_COUNT);
-}
+__attribute__((noinline)) void wait_for_core_b(void) { WAIT_UNTIL(pipeline_pairs() < SLOT_COUNT); }
 
 __attribute__((noinline)) void hand_over_pair(int slot, unsigned frame_number) {
   hand_over_frame[slot] = frame_number;
-  hand_over_full[slot] = 1;
+  pipeline_slot_filled();
   core_interrupt_raise(CORE_B);
 }
 
 int main(void) {
   struct frame_pair pair;
-  unsigned frames = 0;
+  int slot = 0;
 
   memory_dma_start(CORE_A);
   core_interrupt_start(CORE_A);
@@ -47,15 +46,14 @@ int main(void) {
   SICA_SYSCR &= ~COREB_SRAM_INIT; /* core B starts */
 
   while (acquire_frame(&pair)) {
-    int slot = (int)(frames % SLOT_COUNT);
     subsample_pair(&pair);
     release_frame();
     rectify_pair(slot);
     hand_over_pair(slot, pair.number);
-    ++frames;
-    wait_for_core_b(frames);
+    slot = (slot + 1) % SLOT_COUNT;
+    wait_for_core_b();
   }
-  WAIT_UNTIL(maps_published == frames);
+  WAIT_UNTIL(pipeline_pairs() == 0);
   frames_end();
   return 0;
 }

@@ -5,6 +5,7 @@
 #include <memory_dma.h>
 
 #include "matching.h"
+#include "pipeline.h"
 #include "postprocess.h"
 #include "settings.h"
 #include "shared_buffers.h"
@@ -29,11 +30,11 @@ __attribute__((noinline)) unsigned receive_pair(int slot) {
   memory_dma_copy(left_codes, hand_over_left[slot], MAP_PIXELS);
   memory_dma_copy(right_codes, hand_over_right[slot], MAP_PIXELS);
   memory_dma_wait();
-  hand_over_full[slot] = 0;
+  pipeline_slot_emptied();
   return frame_number;
 }
 
-__attribute__((noinline)) void wait_for_full_slot(int slot) { WAIT_UNTIL(hand_over_full[slot]); }
+__attribute__((noinline)) void wait_for_full_slot(void) { WAIT_UNTIL(pipeline_full_slots() != 0); }
 
 __attribute__((noinline)) void transform_pair(void) {
   transform_image(left_codes);
@@ -73,7 +74,7 @@ __attribute__((noinline)) void output_map_band(int band) {
 __attribute__((noinline)) void publish_map(unsigned frame_number) {
   memory_dma_wait();
   host_publish_map(disparity_map, MAP_WIDTH, MAP_HEIGHT, frame_number);
-  ++maps_published;
+  pipeline_map_published();
   core_interrupt_raise(CORE_A);
 }
 
@@ -96,7 +97,7 @@ int main(void) {
   events_enable();
   for (;;) {
     unsigned frame_number;
-    wait_for_full_slot(slot);
+    wait_for_full_slot();
     frame_number = receive_pair(slot);
     find_plain_pixels(left_codes); /* still greys */
     transform_pair();

@@ -56,5 +56,21 @@ TEST(Races, AWaitThatWasForgottenIsFound) {
                              testing::HasSubstr("drivers/memory_dma.c:")));
 }
 
+// Both cores count the pairs in the pipeline. With a lock that keeps nobody out, nothing orders them.
+TEST(Races, ALockThatIsNoneIsFound) {
+  const FirmwareCopy broken("race-lock");
+  const fs::path unit = broken.folder() / "lock.bir";
+  std::string text = read_text_file(unit);
+  const std::size_t at = text.find("TESTSET (");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, text.find(';', at) - at, "CC = R7 == R7");
+  write_file_whole(unit, text);
+  runner::RunInputs inputs = mesvs2_inputs(scenes::make_synthetic_scene(), 2);
+  inputs.firmware = runner::find_firmware(broken.path(), {});
+  const runner::RunOutcome outcome = watched(std::move(inputs));
+  EXPECT_THAT(outcome.races, testing::Contains(testing::Field(
+                                 &machine::RaceReport::object, testing::StartsWith("pipeline+"))));
+}
+
 }  // namespace
 }  // namespace finback

@@ -19,6 +19,7 @@ enum check {
   DMA_GATHER,
   DMA_DESCRIPTORS,
   DMA_RING,
+  LOCK,
 };
 
 _Alignas(4) uint8_t bytes_in_l1[CHECKED_BYTES];
@@ -237,9 +238,16 @@ static enum check check_dma_ring(void) {
   return ALL_WELL;
 }
 
+/* Beside core B, which does the same. */
+static void start_core_b_and_count(void) {
+  SICA_SYSCR &= ~COREB_SRAM_INIT;
+  for (int i = 0; i < COUNTED_BY_EACH; ++i) {
+    count_under_lock();
+  }
+}
+
 /* Loses a wake-up and the machine stands still. */
 static void play_with_core_b(void) {
-  SICA_SYSCR &= ~COREB_SRAM_INIT;
   for (unsigned round = 1; round <= 300; ++round) {
     thrown = round;
     core_interrupt_raise(CORE_B);
@@ -278,7 +286,11 @@ int main(void) {
     result = check_dma_ring();
   }
   meet_the_end_of_dma();
+  start_core_b_and_count();
   play_with_core_b();
+  if (result == ALL_WELL && counted != 2 * COUNTED_BY_EACH) {
+    result = LOCK;
+  }
   host_print(result == ALL_WELL ? "all checks passed\n" : "a check failed\n");
   return (int)result;
 }

@@ -1,4 +1,4 @@
-/* Returns the ball after delays that differ, so that the interrupt comes before, at and after the
+/* Counts together with core A, then returns the ball after delays that differ, so that the interrupt comes before, at and after the
  * moment when core A goes to sleep. */
 #include <core_interrupt.h>
 #include <events.h>
@@ -8,6 +8,9 @@
 int main(void) {
   core_interrupt_start(CORE_B);
   events_enable();
+  for (int i = 0; i < COUNTED_BY_EACH; ++i) {
+    count_under_lock();
+  }
   for (;;) {
     WAIT_UNTIL(thrown != returned);
     for (unsigned delay = thrown * 7 % 64; delay != 0; --delay) {
