@@ -6,7 +6,8 @@
 #include <stdint.h>
 
 /* Writes MAP_WIDTH disparities: a left pixel's disparity d where the right pixel x - d has chosen
- * the same one, settings.lrc_threshold more or less; else 0, as where nothing is computed. */
+ * the same one, stereo_settings.lrc_threshold more or less; else 0, as where nothing is computed.
+ */
 void lrc_check_row(uint8_t* disparities);
 
 #endif

@@ -1,12 +1,14 @@
-/* MESVS, core A: from camera frames to rectified pairs of 160x120. */
+/* MESVS, core A: from camera frames to codes of rectified pairs of 160x120. */
 #include <bf561.h>
 #include <core_interrupt.h>
 #include <events.h>
+#include <host_port.h>
 #include <memory_dma.h>
 
 #include "frames.h"
 #include "pipeline.h"
 #include "rectify_stream.h"
+#include "settings.h"
 #include "shared_buffers.h"
 #include "stereo_config.h"
 
@@ -20,8 +22,9 @@ __attribute__((noinline)) void subsample_pair(const struct frame_pair* pair) {
   memory_dma_wait();
 }
 
-__attribute__((noinline)) void rectify_pair(int slot) {
-  rectify_pictures(small_left, small_right, hand_over_left[slot], hand_over_right[slot]);
+__attribute__((noinline)) void prepare_pair(int slot) {
+  prepare_pictures(small_left, small_right, hand_over_left[slot], hand_over_right[slot],
+                   hand_over_plain[slot]);
 }
 
 /* Until core B has begun with the pair handed over last: a frame that is grabbed earlier only grows
@@ -34,10 +37,21 @@ __attribute__((noinline)) void hand_over_pair(int slot, unsigned frame_number) {
   core_interrupt_raise(CORE_B);
 }
 
+static void read_settings(void) {
+  int wrong = settings_read((const char*)SETTINGS_ADDRESS);
+  char line[] = "settings in flash: line 1 is none; such as: texture_threshold 140\n";
+  if (wrong != 0) {
+    line[24] = (char)('0' + (wrong < 10 ? wrong : 9));
+    host_print(line);
+    host_exit(2);
+  }
+}
+
 int main(void) {
   struct frame_pair pair;
   int slot = 0;
 
+  read_settings();
   memory_dma_start(CORE_A);
   core_interrupt_start(CORE_A);
   frames_start();
@@ -48,7 +62,7 @@ int main(void) {
   while (acquire_frame(&pair)) {
     subsample_pair(&pair);
     release_frame();
-    rectify_pair(slot);
+    prepare_pair(slot);
     hand_over_pair(slot, pair.number);
     slot = (slot + 1) % SLOT_COUNT;
     wait_for_core_b();

@@ -1,4 +1,4 @@
-/* MESVS, core B: from rectified pairs to disparity maps. */
+/* MESVS, core B: from codes to disparity maps. */
 #include <core_interrupt.h>
 #include <events.h>
 #include <host_port.h>
@@ -7,10 +7,8 @@
 #include "matching.h"
 #include "pipeline.h"
 #include "postprocess.h"
-#include "settings.h"
 #include "shared_buffers.h"
 #include "stereo_config.h"
-#include "transform.h"
 #include "variance.h"
 
 /* The map leaves L1 in bands: one is on its way while the next is computed. */
@@ -19,7 +17,6 @@
 #define BAND_COUNT (MAP_HEIGHT / BAND_ROWS)
 _Static_assert(BAND_COUNT* BAND_ROWS == MAP_HEIGHT, "bands fill the map");
 
-/* The rectified pair, then, in place, the codes by which it is compared. */
 _Alignas(4) uint8_t left_codes[MAP_PIXELS];
 _Alignas(4) uint8_t right_codes[MAP_PIXELS];
 _Alignas(4) uint8_t disparity_bands[2][BAND_PIXELS];
@@ -29,17 +26,13 @@ __attribute__((noinline)) unsigned receive_pair(int slot) {
   unsigned frame_number = hand_over_frame[slot];
   memory_dma_copy(left_codes, hand_over_left[slot], MAP_PIXELS);
   memory_dma_copy(right_codes, hand_over_right[slot], MAP_PIXELS);
+  memory_dma_copy(plain_flags, hand_over_plain[slot], sizeof plain_flags);
   memory_dma_wait();
   pipeline_slot_emptied();
   return frame_number;
 }
 
 __attribute__((noinline)) void wait_for_full_slot(void) { WAIT_UNTIL(pipeline_full_slots() != 0); }
-
-__attribute__((noinline)) void transform_pair(void) {
-  transform_image(left_codes);
-  transform_image(right_codes);
-}
 
 /* Matches rows first to end - 1 and checks their views against each other. */
 __attribute__((noinline)) void match_rows(int first, int end) {
@@ -78,20 +71,9 @@ __attribute__((noinline)) void publish_map(unsigned frame_number) {
   core_interrupt_raise(CORE_A);
 }
 
-static void read_settings(void) {
-  int wrong = settings_read((const char*)SETTINGS_ADDRESS);
-  char line[] = "settings in flash: line 1 is none; such as: texture_threshold 140\n";
-  if (wrong != 0) {
-    line[24] = (char)('0' + (wrong < 10 ? wrong : 9));
-    host_print(line);
-    host_exit(2);
-  }
-}
-
 int main(void) {
   int slot = 0;
 
-  read_settings();
   memory_dma_start(CORE_B);
   core_interrupt_start(CORE_B);
   events_enable();
@@ -99,8 +81,6 @@ int main(void) {
     unsigned frame_number;
     wait_for_full_slot();
     frame_number = receive_pair(slot);
-    find_plain_pixels(left_codes); /* still greys */
-    transform_pair();
     for (int band = 0; band < BAND_COUNT; ++band) {
       map_band(band);
       output_map_band(band);

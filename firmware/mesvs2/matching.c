@@ -14,8 +14,7 @@ static void enter_row(const uint8_t* left_codes, const uint8_t* right_codes, int
   } else {
     shd_pair_rows(left, left - WINDOW * MAP_WIDTH, right, right - WINDOW * MAP_WIDTH);
   }
-  shd_start_row();
-  shd_update_row();
+  shd_enter_row();
 }
 
 void match_row(const uint8_t* left_codes, const uint8_t* right_codes, int y, uint8_t* disparities) {

@@ -8,43 +8,9 @@
 /* One more row than the window has, so that the leaving one is still there; a power of two. */
 #define HISTORY_ROWS 16
 _Static_assert(HISTORY_ROWS > VARIANCE_WINDOW, "the leaving row is still there");
-_Static_assert(MAP_WIDTH % 32 == 0, "whole words of flags");
-#define FLAG_WORDS (MAP_WIDTH / 32)
 
-/* A bit for each window without texture, at its lower right pixel. */
 uint32_t plain_flags[MAP_HEIGHT][FLAG_WORDS];
 uint8_t checked_rows[HISTORY_ROWS][MAP_WIDTH];
-
-/* One bit for each variance of the row that is at most the threshold. */
-__attribute__((noinline)) void flag_plain_windows(uint32_t* flags) {
-  const uint32_t* variance = variance_row;
-  uint32_t threshold = SCALED_VARIANCE(settings.texture_threshold);
-  for (int word = 0; word < FLAG_WORDS; ++word) {
-    uint32_t bits = 0;
-    for (int x = 0; x < 32; ++x) {
-      bits = bits >> 1 | (uint32_t)(*variance++ <= threshold) << 31;
-    }
-    *flags++ = bits;
-  }
-}
-
-__attribute__((noinline)) void find_plain_pixels(const uint8_t* image) {
-  const uint8_t* leaving = image;
-  variance_start();
-  for (int y = 0; y < MAP_HEIGHT; ++y) {
-    if (y < VARIANCE_WINDOW) {
-      variance_enter_row(image, variance_no_row);
-    } else {
-      variance_enter_row(image, leaving);
-      leaving += MAP_WIDTH;
-    }
-    if (y >= VARIANCE_WINDOW - 1) {
-      flag_plain_windows(plain_flags[y]);
-      plain_flags[y][0] &= ~0u << (VARIANCE_WINDOW - 1); /* windows that begin left of the image */
-    }
-    image += MAP_WIDTH;
-  }
-}
 
 uint8_t* checked_row(int y) { return checked_rows[y % HISTORY_ROWS]; }
 
@@ -57,7 +23,7 @@ static void enter_checked_row(int y) {
 /* `disparities` belongs to the pixels at the centre of the windows. */
 static void drop_torn_pixels(const uint32_t* plain, uint8_t* disparities) {
   const uint32_t* variances = variance_row;
-  uint32_t threshold = SCALED_VARIANCE(settings.disparity_threshold);
+  uint32_t threshold = SCALED_VARIANCE(stereo_settings.disparity_threshold);
   uint8_t* corner = disparities - HALF_VARIANCE_WINDOW;
   for (int word = 0; word < FLAG_WORDS; ++word) {
     const uint32_t* variance = variances;

@@ -6,10 +6,10 @@
 #include <stdint.h>
 
 #include "stereo_config.h"
+#include "texture.h"
 
-/* Marks where the picture has no texture: MAP_WIDTH x MAP_HEIGHT greys, as they are before the
- * census takes their place. */
-void find_plain_pixels(const uint8_t* image);
+/* Where the picture has no texture, as texture.h says; to be filled before the first row. */
+extern uint32_t plain_flags[MAP_HEIGHT][FLAG_WORDS];
 
 /* Where row y of the checked map is to be written before post_process_row asks for it: rows 0 to
  * MAP_HEIGHT - 1 in turn, half a window and one ahead of the rows that come out. */

@@ -1,16 +1,12 @@
 #include "settings.h"
 
-#include "stereo_config.h"
-
-struct settings settings = {LRC_THRESHOLD, TEXTURE_THRESHOLD, DISPARITY_THRESHOLD};
-
 static const struct {
   const char* name;
   uint32_t* number;
   uint32_t most;
-} known[] = {{"lrc_threshold", &settings.lrc_threshold, 255},
-             {"texture_threshold", &settings.texture_threshold, 65025},
-             {"disparity_threshold", &settings.disparity_threshold, 65025}};
+} known[] = {{"lrc_threshold", &stereo_settings.lrc_threshold, 255},
+             {"texture_threshold", &stereo_settings.texture_threshold, 65025},
+             {"disparity_threshold", &stereo_settings.disparity_threshold, 65025}};
 
 /* What follows `name` and a space; 0 where the text is another. */
 static const char* behind_name(const char* text, const char* name) {

@@ -13,7 +13,7 @@ struct settings {
   uint32_t texture_threshold;   /* 0 to 65025, squared grey levels: equation 19's T_L */
   uint32_t disparity_threshold; /* 0 to 65025, squared pixels: T_H; 65025: no post-processing */
 };
-extern struct settings settings;
+extern struct settings stereo_settings; /* of both cores; core A reads it before core B starts */
 
 /* Reads lines of a name, a space and a number, up to the first byte that is no text: flash without
  * settings has none. Returns 0, or the number of the first line that is wrong. */

@@ -2,8 +2,10 @@
 
 #include <string.h>
 
-_Static_assert((uint64_t)WINDOW* WINDOW* MOST_DISTANCE < 1ull << (31 - KEY_SHIFT) &&
-                   DISPARITY_COUNT <= 1 << KEY_SHIFT,
+#if !SHD_PACKED
+
+_Static_assert((uint64_t)WINDOW* WINDOW* MOST_DISTANCE < 1ull << (31 - KEY_BITS) &&
+                   DISPARITY_COUNT <= 1 << KEY_BITS,
                "a score and a disparity make one key: take a smaller window or fewer disparities");
 
 #if MEASURE_BY_BITS
@@ -31,13 +33,24 @@ static unsigned newest_of(unsigned left_pair, unsigned right_pair) {
 }
 #endif
 
-shd_score shd_scores[COLUMN_COUNT * DISPARITY_COUNT];
-shd_score shd_update[DISPARITY_COUNT];
-shd_score shd_modular[WINDOW * DISPARITY_COUNT];
-uint16_t left_pairs[MAP_WIDTH];
-uint16_t right_pairs[PAIR_MARGIN + MAP_WIDTH];
-int32_t left_keys[MAP_WIDTH];
-int32_t right_keys[MAP_WIDTH];
+/* Right columns -PAIR_MARGIN..-1 do not exist, but columns of a window that is no candidate ask for
+ * them. Whatever is there is taken in and dropped again by the recursion. */
+#define PAIR_MARGIN (DISPARITY_MAX - DISPARITY_MIN)
+
+#if WINDOW * WINDOW * MOST_DISTANCE > 65535
+typedef uint32_t shd_score;
+#else
+typedef uint16_t shd_score;
+#endif
+
+shd_score shd_scores[COLUMN_COUNT * DISPARITY_COUNT]; /* S: [x - FIRST_COLUMN][d] */
+shd_score shd_update[DISPARITY_COUNT];                /* U: [d] */
+shd_score shd_modular[WINDOW * DISPARITY_COUNT];      /* M: [x mod WINDOW][d] */
+uint16_t left_pairs[MAP_WIDTH];                       /* [x] */
+uint16_t right_pairs[PAIR_MARGIN + MAP_WIDTH];        /* [PAIR_MARGIN + x] */
+int32_t right_keys[MAP_WIDTH];                        /* winner of each right pixel */
+uint8_t left_winners[MAP_WIDTH];
+uint8_t right_winners[MAP_WIDTH];
 const uint8_t shd_zero_row[MAP_WIDTH];
 
 __attribute__((noinline)) void shd_start_frame(void) { memset(shd_scores, 0, sizeof shd_scores); }
@@ -57,7 +70,8 @@ __attribute__((noinline)) void shd_pair_rows(const uint8_t* left_entering,
   pair_row(right_entering, right_leaving, 0, right_pairs + PAIR_MARGIN);
 }
 
-__attribute__((noinline)) void shd_start_row(void) {
+/* Begins U and M anew and takes in the row's first WINDOW - 1 columns. */
+__attribute__((noinline)) static void shd_start_row(void) {
   shd_score* restrict modular = shd_modular;
   const uint16_t* left = left_pairs + DISPARITY_MIN;
   const uint16_t* right_of_column = right_pairs + PAIR_MARGIN;
@@ -80,7 +94,8 @@ __attribute__((noinline)) void shd_start_row(void) {
   }
 }
 
-__attribute__((noinline)) void shd_update_row(void) {
+/* Takes in the other columns: updates the scores of all columns and disparities. */
+__attribute__((noinline)) static void shd_update_row(void) {
   shd_score* restrict score = shd_scores;
   shd_score* restrict oldest = shd_modular + (WINDOW - 1) * DISPARITY_COUNT;
   const uint16_t* left = left_pairs + FIRST_COLUMN + HALF_WINDOW;
@@ -104,9 +119,14 @@ __attribute__((noinline)) void shd_update_row(void) {
   }
 }
 
+void shd_enter_row(void) {
+  shd_start_row();
+  shd_update_row();
+}
+
 __attribute__((noinline)) void shd_select_row(void) {
   const shd_score* column_scores = shd_scores;
-  int32_t* left_key = left_keys + FIRST_COLUMN;
+  uint8_t* left_winner = left_winners + FIRST_COLUMN;
   int32_t* right_key_of_column = right_keys + FIRST_COLUMN - DISPARITY_MIN;
   int candidates = 1;
 
@@ -118,16 +138,21 @@ __attribute__((noinline)) void shd_select_row(void) {
     int32_t* restrict right_key = right_key_of_column++;
     int32_t best = INT32_MAX;
     for (int k = 0; k < candidates; ++k) {
-      int32_t key = (int32_t)((uint32_t)*score++ << KEY_SHIFT) + k;
+      int32_t key = (int32_t)((uint32_t)*score++ << KEY_BITS) + k;
       int32_t right_best = *right_key;
       best = key < best ? key : best;
       *right_key-- = key < right_best ? key : right_best;
     }
-    *left_key++ = best;
+    *left_winner++ = (uint8_t)(best & KEY_MASK);
     column_scores += DISPARITY_COUNT;
     /* A column further to the right has one more right window inside the image. */
     if (candidates < DISPARITY_COUNT) {
       ++candidates;
     }
   }
+  for (int x = 0; x < MAP_WIDTH; ++x) {
+    right_winners[x] = (uint8_t)(right_keys[x] & KEY_MASK);
+  }
 }
+
+#endif

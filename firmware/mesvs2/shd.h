@@ -7,7 +7,7 @@
  * by the column that enters the window minus the one that leaves it, and what leaves is what
  * entered WINDOW columns ago, kept in M. A score costs the same for every window.
  *
- * For each image row: shd_pair_rows, shd_start_row, shd_update_row; once WINDOW rows are in, also
+ * For each image row: shd_pair_rows, shd_enter_row; once WINDOW rows are in, also
  * shd_select_row and lrc_check_row. The first WINDOW rows displace none: their leaving row is
  * shd_zero_row, of which the two views differ nowhere. */
 #ifndef MESVS2_SHD_H
@@ -17,16 +17,7 @@
 
 #include "stereo_config.h"
 
-/* Right columns -PAIR_MARGIN..-1 do not exist, but columns of a window that is no candidate ask for
- * them. Whatever is there is taken in and dropped again by the recursion. */
-#define PAIR_MARGIN (DISPARITY_MAX - DISPARITY_MIN)
-
-/* A winner is score << KEY_SHIFT | (d - DISPARITY_MIN): the least key has the least score and,
- * among equal ones, the least disparity. */
-#define KEY_SHIFT (MOST_DISTANCE > 255 ? 5 : 8)
-#define KEY_MASK ((1 << KEY_SHIFT) - 1)
-
-/* The largest h, and what holds sums of it over a window. */
+/* The largest h. */
 #if MEASURE_BY_BITS
 #define MOST_DISTANCE 8
 #elif CODE == CODE_RANK
@@ -36,19 +27,22 @@
 #else
 #define MOST_DISTANCE 65025
 #endif
-#if WINDOW * WINDOW * MOST_DISTANCE > 65535
-typedef uint32_t shd_score;
+/* Two kernels compute the same: by hand and two disparities at a time (shd_packed.c, with
+ * shd_passes.bir), where that is possible; in C for all others and for other computers (shd.c). */
+#if defined(__FINBACK__) && MEASURE_BY_BITS && WINDOW >= 3 && WINDOW <= 15 && \
+    DISPARITY_COUNT >= 3 && DISPARITY_COUNT <= 32
+#define SHD_PACKED 1
 #else
-typedef uint16_t shd_score;
+#define SHD_PACKED 0
 #endif
 
-extern shd_score shd_scores[COLUMN_COUNT * DISPARITY_COUNT]; /* S: [x - FIRST_COLUMN][d] */
-extern shd_score shd_update[DISPARITY_COUNT];                /* U: [d] */
-extern shd_score shd_modular[WINDOW * DISPARITY_COUNT];      /* M: [x mod WINDOW][d] */
-extern uint16_t left_pairs[MAP_WIDTH];                       /* [x] */
-extern uint16_t right_pairs[PAIR_MARGIN + MAP_WIDTH];        /* [PAIR_MARGIN + x] */
-extern int32_t left_keys[MAP_WIDTH];                         /* winner of each left pixel */
-extern int32_t right_keys[MAP_WIDTH];                        /* winner of each right pixel */
+/* A key is score << KEY_BITS | (d - DISPARITY_MIN): the least key has the least score and, among
+ * equal ones, the least disparity. */
+#define KEY_BITS (SHD_PACKED || MOST_DISTANCE > 255 ? 5 : 8)
+#define KEY_MASK ((1 << KEY_BITS) - 1)
+
+extern uint8_t left_winners[MAP_WIDTH];  /* d - DISPARITY_MIN of the winner of each left pixel */
+extern uint8_t right_winners[MAP_WIDTH]; /* and of each right one */
 extern const uint8_t shd_zero_row[MAP_WIDTH];
 
 /* Forgets the frame before: all scores 0. */
@@ -58,11 +52,8 @@ void shd_start_frame(void);
 void shd_pair_rows(const uint8_t* left_entering, const uint8_t* left_leaving,
                    const uint8_t* right_entering, const uint8_t* right_leaving);
 
-/* Begins U and M anew and takes in the row's first WINDOW - 1 columns. */
-void shd_start_row(void);
-
-/* Takes in the other columns: updates the scores of all columns and disparities. */
-void shd_update_row(void);
+/* Updates the scores of all columns and disparities. */
+void shd_enter_row(void);
 
 /* Finds the winners of both views on the row whose windows are complete. */
 void shd_select_row(void);

@@ -3,10 +3,24 @@
 #define MESVS2_TRANSFORM_H
 
 #include <stdint.h>
+#include <string.h>
 
+#include "census.h"
+#include "rank.h"
 #include "stereo_config.h"
 
-/* Transforms an image of MAP_WIDTH x MAP_HEIGHT in place. Border pixels become 0. */
-void transform_image(uint8_t* image);
+/* The codes of a row, from it and the rows above and below. */
+static inline void transform_row(const uint8_t* above, const uint8_t* centre, const uint8_t* below,
+                                 uint8_t* codes) {
+#if CODE == CODE_CENSUS
+  census_row(above, centre, below, codes);
+#elif CODE == CODE_RANK
+  rank_row(above, centre, below, codes);
+#else
+  (void)above;
+  (void)below;
+  memcpy(codes, centre, MAP_WIDTH);
+#endif
+}
 
 #endif

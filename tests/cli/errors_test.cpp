@@ -220,9 +220,17 @@ TEST_F(Errors, UnknownOptionNamesTheNearest) {
 }
 
 TEST_F(Errors, MissedTargetWithCheckIsThree) {
-  const std::vector<std::string> run = {
-      "run",   "--scene", "synthetic", "--frames", "2", "--place", "core_b.shd_scores=l3",
-      "--out", "results"};
+  const std::vector<std::string> run = {"run",
+                                        "--scene",
+                                        "synthetic",
+                                        "--frames",
+                                        "2",
+                                        "--place",
+                                        "core_b.shd_scores=l3",
+                                        "--place",
+                                        "core_b.shd_*_best=l3",
+                                        "--out",
+                                        "results"};
   EXPECT_EQ(finback(run).exit_code, 0);
   std::vector<std::string> checked = run;
   checked.emplace_back("--check");

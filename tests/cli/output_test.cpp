@@ -121,8 +121,8 @@ void expect_equal_stalls(const json& r) {
 TEST_F(Output, AddsUp) {
   // Buffers in L2 and L3, so that there is something to sum.
   const Finished finished =
-      finback({"run", "--scene", "synthetic", "--frames", "2", "--place", "core_b.shd_update=l2",
-               "--place", "core_b.left_codes=l3", "--out", "o"});
+      finback({"run", "--scene", "synthetic", "--frames", "2", "--place",
+               "core_b.shd_left_words=l2", "--place", "core_b.left_codes=l3", "--out", "o"});
   ASSERT_EQ(finished.exit_code, 0) << finished.err;
   const json r = result("o");
   for (const auto& [name, core] : r["cores"].items()) {

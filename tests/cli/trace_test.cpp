@@ -109,13 +109,13 @@ TEST_F(Trace, ShowsWhatLedToAFault) {
 }
 
 TEST_F(Trace, OfTheFirmwareNamesTheObjectThatIsWaitedFor) {
-  const Finished finished =
-      finback({"trace", "--place", "core_b.shd_scores=l3", "--from", "shd_update_row", "--to",
-               "shd_update_row", "--function", "shd_update_row", "--frames", "1", "--limit", "60"});
+  const Finished finished = finback({"trace", "--place", "core_b.shd_scores=l3", "--from",
+                                     "shd_update_row", "--to", "shd_update_row", "--function",
+                                     "shd_update_row", "--frames", "1", "--limit", "120"});
   ASSERT_EQ(finished.exit_code, 0) << finished.err;
   EXPECT_THAT(rows(finished.out), IsEmpty());  // core A does not have the function
   EXPECT_THAT(finished.out, HasSubstr("l3_read of shd_scores"));
-  EXPECT_THAT(finished.out, HasSubstr("core_b: 60 packets in "));
+  EXPECT_THAT(finished.out, HasSubstr("core_b: 120 packets in "));
 }
 
 // The rules of the format: every row begins, has stages in order of time and ends once.

@@ -19,7 +19,7 @@ TEST(Placement, MovingABufferChangesCyclesAndTrafficButNoMap) {
   const runner::RunOutcome before =
       runner::run_firmware(mesvs2_inputs(scenes::make_synthetic_scene()));
   runner::RunInputs inputs = mesvs2_inputs(scenes::make_synthetic_scene());
-  inputs.firmware.firmware.placement.override_object(ir::Owner::core_b, "left_keys", "l3");
+  inputs.firmware.firmware.placement.override_object(ir::Owner::core_b, "left_winners", "l3");
   const runner::RunOutcome after = runner::run_firmware(inputs);
 
   EXPECT_EQ(before.maps[0].bytes, after.maps[0].bytes);
@@ -44,12 +44,12 @@ TEST(Placement, ShippedOnesComputeTheSameMaps) {
   const scenes::Scene scene = scenes::make_synthetic_scene();
   const std::vector<std::uint8_t> expected = reference_map(scene);
   const std::vector<ShippedPlacement> placements = {
-      {"best", {}, 60, 100},
+      {"best", {}, 100, 250},
       {"all_in_l3", {}, 0.5, 2},
       {"cache_only",
        {{"memory.cache.data_banks", 2}, {"memory.cache.l3_policy", 1}, {"memory.cache.code", 1}},
-       5,
-       20}};
+       10,
+       40}};
   for (const ShippedPlacement& placement : placements) {
     SCOPED_TRACE(placement.name);
     runner::RunInputs inputs = mesvs2_inputs(scene, 2);

@@ -56,7 +56,8 @@ TEST(Races, AWaitThatWasForgottenIsFound) {
                              testing::HasSubstr("drivers/memory_dma.c:")));
 }
 
-// Both cores count the pairs in the pipeline. With a lock that keeps nobody out, nothing orders them.
+// Both cores count the pairs in the pipeline. With a lock that keeps nobody out, nothing orders
+// them.
 TEST(Races, ALockThatIsNoneIsFound) {
   const FirmwareCopy broken("race-lock");
   const fs::path unit = broken.folder() / "lock.bir";
@@ -68,8 +69,8 @@ TEST(Races, ALockThatIsNoneIsFound) {
   runner::RunInputs inputs = mesvs2_inputs(scenes::make_synthetic_scene(), 2);
   inputs.firmware = runner::find_firmware(broken.path(), {});
   const runner::RunOutcome outcome = watched(std::move(inputs));
-  EXPECT_THAT(outcome.races, testing::Contains(testing::Field(
-                                 &machine::RaceReport::object, testing::StartsWith("pipeline+"))));
+  EXPECT_THAT(outcome.races, testing::Contains(testing::Field(&machine::RaceReport::object,
+                                                              testing::StartsWith("pipeline+"))));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-/* Counts together with core A, then returns the ball after delays that differ, so that the interrupt comes before, at and after the
- * moment when core A goes to sleep. */
+/* Counts together with core A, then returns the ball after delays that differ, so that the
+ * interrupt comes before, at and after the moment when core A goes to sleep. */
 #include <core_interrupt.h>
 #include <events.h>
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -13,11 +14,11 @@
 extern "C" {
 #include "matching.h"
 #include "postprocess.h"
+#include "prepare.h"
 #include "rectify.h"
 #include "settings.h"
 #include "shd.h"
 #include "stereo_config.h"
-#include "transform.h"
 #include "variance.h"
 }
 
@@ -68,11 +69,27 @@ ByteImage random_image(std::mt19937& generator, unsigned levels) {
   return image;
 }
 
-// What core B makes of a rectified pair.
-ByteImage firmware_map(ByteImage left, ByteImage right) {
-  find_plain_pixels(left.data());
-  transform_image(left.data());
-  transform_image(right.data());
+// What core A makes of a rectified picture; of the left one also flags.
+ByteImage firmware_codes(const ByteImage& picture, bool is_left) {
+  ByteImage result(MAP_WIDTH, MAP_HEIGHT, 0);
+  for (int y = 0; y < MAP_HEIGHT; y += BAND_ROWS) {
+    std::array<std::uint8_t[MAP_WIDTH], BAND_ROWS + 1> band;
+    std::copy_n(picture.data() + y * MAP_WIDTH, BAND_PIXELS, rectified_line(y));
+    prepare_codes(y, band.data());
+    if (is_left) {
+      prepare_texture(y, plain_flags + y);
+    }
+    for (int row = first_code_row(y); row < end_of_code_rows(y); ++row) {
+      std::copy_n(band[static_cast<std::size_t>(row)], MAP_WIDTH, &result.at(0, y + row - 1));
+    }
+  }
+  return result;
+}
+
+// The map of a rectified pair.
+ByteImage firmware_map(const ByteImage& left_picture, const ByteImage& right_picture) {
+  const ByteImage left = firmware_codes(left_picture, true);
+  const ByteImage right = firmware_codes(right_picture, false);
   ByteImage map(MAP_WIDTH, MAP_HEIGHT, 255);
   int matched = 0;
   for (int y = 0; y < MAP_HEIGHT; ++y) {
@@ -89,10 +106,10 @@ void expect_equal(const ByteImage& left, const ByteImage& right) {
   const ByteImage truth = stereo_reference::post_process(
       stereo_reference::check_left_right(
           stereo_reference::match_by(measure(), codes(left), codes(right), kParameters),
-          static_cast<int>(settings.lrc_threshold)),
+          static_cast<int>(stereo_settings.lrc_threshold)),
       left,
-      {VARIANCE_WINDOW, static_cast<double>(settings.texture_threshold),
-       static_cast<double>(settings.disparity_threshold)});
+      {VARIANCE_WINDOW, static_cast<double>(stereo_settings.texture_threshold),
+       static_cast<double>(stereo_settings.disparity_threshold)});
   for (int y = 0; y < MAP_HEIGHT; ++y) {
     for (int x = 0; x < MAP_WIDTH; ++x) {
       ASSERT_EQ(map.at(x, y), truth.at(x, y)) << "column " << x << ", row " << y;
@@ -100,12 +117,11 @@ void expect_equal(const ByteImage& left, const ByteImage& right) {
   }
 }
 
-TEST(FirmwareKernels, CodesInPlaceEqualTheReference) {
+TEST(FirmwareKernels, CodesEqualTheReference) {
   std::mt19937 generator(21);
   for (const unsigned levels : {2U, 256U}) {
     const ByteImage image = random_image(generator, levels);
-    ByteImage firmware = image;
-    transform_image(firmware.data());
+    const ByteImage firmware = firmware_codes(image, false);
     const stereo_reference::WordImage truth = codes(image);
     for (std::size_t i = 0; i < MAP_PIXELS; ++i) {
       const std::uint32_t code = truth.pixels()[i];
@@ -175,22 +191,22 @@ TEST(FirmwareKernels, AFrameDoesNotDependOnTheOneBefore) {
 }
 
 TEST(FirmwareKernels, SettingsAreReadAndHeld) {
-  const struct settings before = settings;
+  const struct settings before = stereo_settings;
   EXPECT_EQ(settings_read("\xFF\xFF"), 0);
   EXPECT_EQ(settings_read(""), 0);
-  EXPECT_EQ(settings.texture_threshold, before.texture_threshold);
+  EXPECT_EQ(stereo_settings.texture_threshold, before.texture_threshold);
   EXPECT_EQ(settings_read("lrc_threshold 3\ntexture_threshold 9000\ndisparity_threshold 4\n\xFF"),
             0);
   std::mt19937 generator(26);
   expect_equal(random_image(generator, 200), random_image(generator, 200));
-  EXPECT_EQ(settings.lrc_threshold, 3U);
-  EXPECT_EQ(settings.texture_threshold, 9000U);
-  EXPECT_EQ(settings.disparity_threshold, 4U);
-  settings = before;
+  EXPECT_EQ(stereo_settings.lrc_threshold, 3U);
+  EXPECT_EQ(stereo_settings.texture_threshold, 9000U);
+  EXPECT_EQ(stereo_settings.disparity_threshold, 4U);
+  stereo_settings = before;
 }
 
 TEST(FirmwareKernels, SettingsThatAreNoneAreRefused) {
-  const struct settings before = settings;
+  const struct settings before = stereo_settings;
   for (const char* text :
        {"texture_threshold 65026\n", "lrc_threshold 256\n", "lrc_threshold 4294967297\n",
         "lrc_threshold \n", "lrc_threshold 1", "lrc_threshold 1 \n", "lrc_threshold\n", "lrc 1\n",
@@ -198,7 +214,7 @@ TEST(FirmwareKernels, SettingsThatAreNoneAreRefused) {
     EXPECT_EQ(settings_read(text), 1) << text;
   }
   EXPECT_EQ(settings_read("lrc_threshold 2\nwindow 9\n"), 2);
-  settings = before;
+  stereo_settings = before;
 }
 
 TEST(FirmwareKernels, MapsOfScenesEqualTheReference) {
