@@ -14,8 +14,10 @@
 
 #include "../middle/AbsoluteDifferences.hpp"
 #include "../middle/NarrowProducts.hpp"
+#include "../middle/PairWords.hpp"
 #include "../middle/Products.hpp"
 #include "../middle/SaturatedShifts.hpp"
+#include "../middle/VectorLoops.hpp"
 #include "../target/Bfin.hpp"
 #include "../target/BfinAsmPrinter.hpp"
 #include "../target/BfinMCTargetDesc.hpp"
@@ -161,8 +163,10 @@ void run_middle_end(Module& module, TargetMachine& machine, char level) {
   });
   builder.registerVectorizerStartEPCallback(
       [](FunctionPassManager& passes, OptimizationLevel target) {
-        if (target == OptimizationLevel::O2 || target == OptimizationLevel::O3)
-          passes.addPass(ProductsPass());
+        if (target != OptimizationLevel::O2 && target != OptimizationLevel::O3)
+          return;
+        passes.addPass(ProductsPass());
+        passes.addPass(VectorLoopsPass());
       });
   builder.registerOptimizerLastEPCallback([](ModulePassManager& passes, OptimizationLevel target) {
     if (target == OptimizationLevel::O0)
@@ -170,6 +174,7 @@ void run_middle_end(Module& module, TargetMachine& machine, char level) {
     FunctionPassManager each;
     each.addPass(NarrowProductsPass());
     each.addPass(SaturatedShiftsPass());
+    each.addPass(PairWordsPass());
     passes.addPass(createModuleToFunctionPassAdaptor(std::move(each)));
   });
   OptimizationLevel target = middle_end_level(level);

@@ -35,14 +35,9 @@ bool can_expand(ArrayRef<const SCEV*> values, ScalarEvolution& scev, Instruction
   return all_of(values, [&](const SCEV* value) { return expander.isSafeToExpandAt(value, at); });
 }
 
-Value* write_test(const SCEV* rounds, unsigned least, ArrayRef<const SCEV*> values,
-                  ScalarEvolution& scev, Instruction* at) {
+Value* write_alignment_test(ArrayRef<const SCEV*> values, ScalarEvolution& scev, Instruction* at) {
   SCEVExpander expander(scev, at->getModule()->getDataLayout(), "test");
   IRBuilder<> builder(at);
-  Value* test = builder.getTrue();
-  if (!scev.isKnownPredicate(CmpInst::ICMP_UGE, rounds, scev.getConstant(rounds->getType(), least)))
-    test = builder.CreateICmpUGE(expander.expandCodeFor(rounds, rounds->getType(), at),
-                                 builder.getInt32(least));
   Value* bits = builder.getInt32(0);
   for (const SCEV* value : values) {
     // Whole words further in each round of a loop around: the first address answers for all.
@@ -57,7 +52,18 @@ Value* write_test(const SCEV* rounds, unsigned least, ArrayRef<const SCEV*> valu
     bits = builder.CreateOr(bits, builder.CreatePtrToInt(number, builder.getInt32Ty()));
   }
   Value* rest = builder.CreateAnd(bits, builder.getInt32(3));
-  return builder.CreateAnd(test, builder.CreateICmpEQ(rest, builder.getInt32(0)));
+  return builder.CreateICmpEQ(rest, builder.getInt32(0));
+}
+
+Value* write_test(const SCEV* rounds, unsigned least, ArrayRef<const SCEV*> values,
+                  ScalarEvolution& scev, Instruction* at) {
+  SCEVExpander expander(scev, at->getModule()->getDataLayout(), "test");
+  IRBuilder<> builder(at);
+  Value* test = builder.getTrue();
+  if (!scev.isKnownPredicate(CmpInst::ICMP_UGE, rounds, scev.getConstant(rounds->getType(), least)))
+    test = builder.CreateICmpUGE(expander.expandCodeFor(rounds, rounds->getType(), at),
+                                 builder.getInt32(least));
+  return builder.CreateAnd(test, write_alignment_test(values, scev, at));
 }
 
 }  // namespace finback::compiler

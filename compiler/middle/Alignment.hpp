@@ -17,6 +17,10 @@ void align_objects(llvm::ArrayRef<const llvm::SCEV*> values, llvm::ScalarEvoluti
 [[nodiscard]] bool can_expand(llvm::ArrayRef<const llvm::SCEV*> values, llvm::ScalarEvolution& scev,
                               llvm::Instruction* at);
 
+/// Whether each of `values` is a multiple of 4, computed before `at`.
+[[nodiscard]] llvm::Value* write_alignment_test(llvm::ArrayRef<const llvm::SCEV*> values,
+                                                llvm::ScalarEvolution& scev, llvm::Instruction* at);
+
 /// Whether there are `least` rounds and each of `values` is a multiple of 4, computed before `at`.
 [[nodiscard]] llvm::Value* write_test(const llvm::SCEV* rounds, unsigned least,
                                       llvm::ArrayRef<const llvm::SCEV*> values,

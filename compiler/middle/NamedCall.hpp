@@ -1,5 +1,5 @@
 // A call of one of the back end's named instructions (target/BfinNamedInstructions.cpp) by a pass
-// of the middle end: words in, a word out, nothing else touched.
+// of the middle end: arguments of the types that its table says, nothing else touched.
 #pragma once
 
 #include <llvm/IR/IRBuilder.h>
@@ -7,8 +7,10 @@
 
 namespace finback::compiler {
 
+/// `result`: its type; without one a word.
 inline llvm::Value* call_named(llvm::IRBuilder<>& builder, llvm::StringRef name,
-                               llvm::ArrayRef<llvm::Value*> arguments) {
+                               llvm::ArrayRef<llvm::Value*> arguments,
+                               llvm::Type* result = nullptr) {
   using llvm::Attribute;
   llvm::LLVMContext& context = builder.getContext();
   llvm::AttributeList attributes;
@@ -16,11 +18,14 @@ inline llvm::Value* call_named(llvm::IRBuilder<>& builder, llvm::StringRef name,
     attributes = attributes.addFnAttribute(context, kind);
   attributes = attributes.addFnAttribute(
       context, Attribute::getWithMemoryEffects(context, llvm::MemoryEffects::none()));
-  const llvm::SmallVector<llvm::Type*, 4> words(arguments.size(), builder.getInt32Ty());
+  llvm::SmallVector<llvm::Type*, 4> types;
+  for (const llvm::Value* argument : arguments)
+    types.push_back(argument->getType());
+  if (result == nullptr)
+    result = builder.getInt32Ty();
   llvm::Module& module = *builder.GetInsertBlock()->getModule();
   const llvm::FunctionCallee callee = module.getOrInsertFunction(
-      ("__builtin_bfin_" + name).str(), llvm::FunctionType::get(builder.getInt32Ty(), words, false),
-      attributes);
+      ("__builtin_bfin_" + name).str(), llvm::FunctionType::get(result, types, false), attributes);
   return builder.CreateCall(callee, arguments);
 }
 

@@ -68,7 +68,9 @@ let ReadsEarly = true in {
   def ASHIFTVS : DspBinary<"$rd = ASHIFT $ra BY ${rb}.L (V, S)", []>;
   def LSHIFTV : DspBinary<"$rd = LSHIFT $ra BY ${rb}.L (V)", []>;
 }
-class DspShift<string text> : Dsp<(outs D:$rd), (ins D:$ra, i32imm:$n), text>;
+class DspShift<string text> : Dsp<(outs D:$rd), (ins D:$ra, i32imm:$n), text> {
+  let ShiftsByNumber = true;
+}
 def SHLVS : DspShift<"$rd = $ra << $n (V, S)">;
 def SHLV : DspShift<"$rd = $ra << $n (V)">;
 def SRAV : DspShift<"$rd = $ra >>> $n (V)">;

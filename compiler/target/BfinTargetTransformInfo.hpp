@@ -21,8 +21,9 @@ class BfinTTIImpl : public BasicTTIImplBase<BfinTTIImpl> {
   TTI::PopcntSupportKind getPopcntSupport(unsigned bits) const {
     return bits == 32 ? TTI::PSK_FastHardware : TTI::PSK_Software;
   }
+  /// Class 1 is that of vectors: pairs of halves live in data registers.
   unsigned getNumberOfRegisters(unsigned register_class) const {
-    return register_class == 0 ? 12 : 0;  // vectors have none
+    return register_class == 0 ? 12 : 8;
   }
   TTI::AddressingModeKind getPreferredAddressingMode(const Loop*, ScalarEvolution*) const {
     return TTI::AMK_PostIndexed;
