@@ -47,13 +47,38 @@ std::string problem_of_assembly(const CallBase& call) {
   return "";
 }
 
+/// Arguments are words on the stack: a struct by value is an array of them, which takes the back
+/// end time by the square of its length.
+constexpr uint64_t kLargestArgument = 16384;
+
+std::string problem_of_arguments(const CallBase& call) {
+  const DataLayout& layout = call.getModule()->getDataLayout();
+  for (const Use& argument : call.args())
+    if (argument->getType()->isArrayTy() &&
+        layout.getTypeAllocSize(argument->getType()) > kLargestArgument)
+      return "a struct of " + std::to_string(layout.getTypeAllocSize(argument->getType())) +
+             " bytes is passed by value; pass its address (by value: at most " +
+             std::to_string(kLargestArgument) + " bytes)";
+  return "";
+}
+
+/// Where clang rounds a pointer to variable arguments up for a type: callers align none of them.
+bool aligns_variable_argument(const CallBase& call) {
+  return call.getIntrinsicID() == Intrinsic::ptrmask &&
+         call.getName().starts_with("argp.cur.aligned");
+}
+
 std::string problem_of_call(const CallBase& call) {
   if (call.isInlineAsm())
     return problem_of_assembly(call);
+  if (aligns_variable_argument(call))
+    return "va_arg of a type that is aligned to more than 4 bytes is not supported";
   if (call.getIntrinsicID() == Intrinsic::returnaddress ||
       call.getIntrinsicID() == Intrinsic::frameaddress)
     return "addresses of frames and to return to are not supported";
-  return isNamedInstruction(call.getCalledFunction()) ? problemOfNamedInstruction(call) : "";
+  if (isNamedInstruction(call.getCalledFunction()))
+    return problemOfNamedInstruction(call);
+  return problem_of_arguments(call);
 }
 
 std::string problem_of(const Instruction& inst) {

@@ -109,10 +109,13 @@ void BfinAsmPrinter::emitGlobalVariable(const GlobalVariable* global) {
       OutContext.getELFSection(section_of(*global), ELF::SHT_PROGBITS, ELF::SHF_ALLOC));
   write_name(*global, *symbol, "object", getGVAlignment(global, layout));
   OutStreamer->emitLabel(symbol);
+  // An empty struct takes a byte, as in C++: every object has an address of its own.
   uint64_t size = layout.getTypeAllocSize(global->getValueType());
   if (size != 0)
     emitGlobalConstant(layout, global->getInitializer());
-  write(".size " + symbol->getName() + ", " + Twine(size));
+  else
+    OutStreamer->emitZeros(1);
+  write(".size " + symbol->getName() + ", " + Twine(std::max<uint64_t>(size, 1)));
 }
 
 void BfinAsmPrinter::emitFunctionEntryLabel() {

@@ -82,6 +82,15 @@ APART static unsigned misaligned(const char* p) {
 }
 APART static unsigned bits_of(float f) { return *(any_unsigned*)&f; }
 
+/* Objects without bytes. */
+struct nothing {};
+struct nothing nothing;
+static struct nothing nothing_more;
+__attribute__((noinline)) static int nothing_at(struct nothing *at) {
+  nothing_more = *at;
+  return at == &nothing ? 2 : 3;
+}
+
 int main(void) {
   report("max", (unsigned)(MAX(next(), 0) + MAX(3, next() * 2) * 10 + calls * 1000));
   int a = 5, b = -6;
@@ -110,5 +119,6 @@ int main(void) {
                         x += 4;
                         x;
                       }) + sizeof(__typeof__(numbers)));
+  report("nothing", (unsigned)(nothing_at(&nothing) + (&nothing != &nothing_more)));
   return 0;
 }
