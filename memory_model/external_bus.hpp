@@ -1,11 +1,12 @@
 // The one external bus, on which the SDRAM and the asynchronous memories take turns.
 //
 // Models: one access at a time, each for the whole of its time; the idle time that an asynchronous
-// bank wants between its read and an access to somebody else; who goes first: urgent DMA, cores,
-// DMA, or with CDPRIO urgent DMA, DMA, cores, and whoever was passed over for long is next. Does
-// not model: an access that is broken off; precedence of one core over the other and of line fills
-// over single accesses beyond the order of asking; DMA before posted writes that are in line
-// already; bus requests from outside the chip (BR, BG). Source: hardware.md 2.4, 2.5.
+// bank wants between its read and an access to somebody else; who goes first: urgent DMA, lines of
+// the cores' caches, single reads of the cores, DMA, or with CDPRIO all DMA before the cores; of
+// two cores A; whoever was passed over for long is next. Does not model: an access that is broken
+// off; precedence over posted writes that are in line already; a line of core B before a single
+// read of core A that was asked for in the same cycle, on a bus that is free; bus requests from
+// outside the chip (BR, BG). Source: hardware.md 2.4, 2.5.
 #pragma once
 
 #include <algorithm>
@@ -26,29 +27,39 @@ class ExternalBus {
   // `patience`: the longest that an access is passed over by those that go before it, in SCLK.
   ExternalBus(Cycles patience, clock::ClockRatio ratio)
       : patience_sclk_(patience), patience_(ratio.cycles(patience)) {
-    standing_since_.fill(kNever);
     asking_since_.fill(kNever);
   }
 
   // --- who goes first ---
   // CDPRIO of EBIU_AMGCTL: DMA goes before the cores.
   void set_dma_first(bool first) { dma_first_ = first; }
-  // From when on a core may ask for the bus: `now`, or, while DMA that goes before it has it, the
-  // time at which to call again. A core that may ask is in line at once.
-  [[nodiscard]] Cycles core_from(int core, Cycles now) {
-    Cycles& since = standing_since_[static_cast<std::size_t>(core)];
-    const bool gives_way =
-        free_at_ > now && dma_ != kNobody && (dma_first_ || urgent_[0] || urgent_[1]);
-    if (!gives_way || (since != kNever && now - since >= patience_)) {
-      since = kNever;
-      return now;
+  // From when on a core may ask for the bus, for a `line` of a cache or a single read: `now`, or
+  // the time at which to call again. Who may ask is in line at once: while the bus is taken, others
+  // could come that go before it. Of the cores one is let pass once, so that posted writes do not
+  // overtake it for ever; DMA that goes before the cores, as long as patience lasts.
+  [[nodiscard]] Cycles core_from(int core, bool line, Cycles now) {
+    Standing& mine = standing_[static_cast<std::size_t>(core)];
+    const Standing& other = standing_[static_cast<std::size_t>(1 - core)];
+    mine.line = line;
+    mine.since = std::min(mine.since, now);
+    const bool taken = free_at_ > now;
+    const bool behind_dma = dma_ != kNobody && (dma_first_ || urgent_[0] || urgent_[1]);
+    const bool first = line && core == 0;
+    if (now - mine.since < patience_) {
+      if (taken && (behind_dma || (!first && !mine.let_pass))) {
+        mine.let_pass = mine.let_pass || !behind_dma;
+        return mine.asks_at = free_at_;
+      }
+      if (!taken && other.asks_at == now && other.line && !line) {
+        mine.let_pass = true;
+        return mine.asks_at = now + 1;  // the other one asks at this time, too
+      }
     }
-    since = std::min(since, now);
-    return free_at_;
+    mine = {};
+    return now;
   }
-  // The same for the burst that DMA `controller` (0 or 1) wants next: while the bus is taken, DMA
-  // is not in line, so that a core that asks meanwhile goes before it. Of two controllers that wait
-  // the one goes first that waits for longer.
+  // The same for the burst that DMA `controller` (0 or 1) wants next; a core goes before it. Of two
+  // controllers that wait the one goes first that waits for longer.
   [[nodiscard]] Cycles dma_from(std::size_t controller, bool urgent, Cycles now) {
     Cycles& since = asking_since_[controller];
     since = std::min(since, now);
@@ -59,8 +70,9 @@ class ExternalBus {
     if (free_at_ > now) {
       return std::min(free_at_, since + patience_);
     }
-    if (asking_since_[1 - controller] < since) {
-      return now + 1;  // the other one acts at this time, too
+    const bool core_asks = standing_[0].asks_at == now || standing_[1].asks_at == now;
+    if (core_asks || asking_since_[1 - controller] < since) {
+      return now + 1;  // they act at this time, too
     }
     since = kNever;
     return now;
@@ -113,6 +125,13 @@ class ExternalBus {
 
  private:
   static constexpr int kNobody = -1;
+  // A core that was told to call again.
+  struct Standing {
+    Cycles since = kNever;    // kNever: it does not wait
+    Cycles asks_at = kNever;  // next
+    bool line = false;
+    bool let_pass = false;  // the other core, once
+  };
   static constexpr int stream(Initiator who, Direction direction) {
     return 2 * static_cast<int>(who) + static_cast<int>(direction);
   }
@@ -126,9 +145,9 @@ class ExternalBus {
   Cycles patience_sclk_;
   Cycles patience_;
   bool dma_first_ = false;
-  int dma_ = kNobody;                              // whose burst has or had the bus last
-  std::array<Cycles, kCoreCount> standing_since_;  // kNever: the core does not give way
-  std::array<Cycles, 2> asking_since_;             // by DMA controller; kNever: it does not wait
+  int dma_ = kNobody;  // whose burst has or had the bus last
+  std::array<Standing, kCoreCount> standing_{};
+  std::array<Cycles, 2> asking_since_;  // by DMA controller; kNever: it does not wait
   std::array<bool, 2> urgent_{};
 };
 

@@ -220,10 +220,10 @@ class MemorySystem {
   [[nodiscard]] SdramTiming& sdram() { return sdram_; }
   [[nodiscard]] AsyncTiming& asynchronous() { return async_; }
   [[nodiscard]] ExternalBus& external_bus() { return bus_; }
-  // From when on `core` may read L3: ExternalBus::core_from. What it waits counts as the span's
-  // stall, where there is one.
-  [[nodiscard]] Cycles core_turn(int core, Span* span, Cycles now) {
-    const Cycles from = bus_.core_from(core, now);
+  // From when on `core` may read a `line` or a word of L3: ExternalBus::core_from. What it waits
+  // counts as the span's stall, where there is one.
+  [[nodiscard]] Cycles core_turn(int core, Span* span, bool line, Cycles now) {
+    const Cycles from = bus_.core_from(core, line, now);
     if (span != nullptr) {
       span->traffic[static_cast<std::size_t>(core)][0].stall_cycles += from - now;
     }

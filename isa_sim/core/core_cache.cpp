@@ -15,13 +15,18 @@ memory::CachePolicy Core::cache_policy(memory::Level level, Address address) {
 }
 
 bool Core::give_way(const Operation& operation, memory::Span* span, Address address, Cause cause) {
-  const Cycles from = memory_.core_turn(number_, span, now(operation));
-  if (from == now(operation)) {
-    return false;
+  const bool line = cause == Cause::data_cache || cause == Cause::code_cache;
+  for (;;) {
+    const Cycles from = memory_.core_turn(number_, span, line, now(operation));
+    if (from == now(operation)) {
+      return false;
+    }
+    add_stall(operation, cause, from - now(operation), address);
+    if (from >= turn_.shared_until) {  // else nobody else acts until then
+      state_.retry = &operation;
+      return true;
+    }
   }
-  add_stall(operation, cause, from - now(operation), address);
-  state_.retry = &operation;
-  return true;
 }
 
 std::uint8_t* Core::cached_access(const Operation& operation, memory::Span* span, Address address,
