@@ -12,20 +12,13 @@ namespace {
 using Addresses = std::map<Address, std::string>;
 
 void add_channel(Addresses& all, Address base, const std::string& name, bool mapped) {
-  constexpr std::array kRegisters = {std::pair{0x00, "NEXT_DESC_PTR"},
-                                     {0x04, "START_ADDR"},
-                                     {0x08, "CONFIG"},
-                                     {0x10, "X_COUNT"},
-                                     {0x14, "X_MODIFY"},
-                                     {0x18, "Y_COUNT"},
-                                     {0x1C, "Y_MODIFY"},
-                                     {0x20, "CURR_DESC_PTR"},
-                                     {0x24, "CURR_ADDR"},
-                                     {0x28, "IRQ_STATUS"},
-                                     {0x30, "CURR_X_COUNT"},
-                                     {0x38, "CURR_Y_COUNT"}};
+  constexpr std::pair<Address, const char*> kRegisters[] = {
+      {0x00, "NEXT_DESC_PTR"}, {0x04, "START_ADDR"},    {0x08, "CONFIG"},
+      {0x10, "X_COUNT"},       {0x14, "X_MODIFY"},      {0x18, "Y_COUNT"},
+      {0x1C, "Y_MODIFY"},      {0x20, "CURR_DESC_PTR"}, {0x24, "CURR_ADDR"},
+      {0x28, "IRQ_STATUS"},    {0x30, "CURR_X_COUNT"},  {0x38, "CURR_Y_COUNT"}};
   for (const auto& [offset, register_name] : kRegisters) {
-    all[base + static_cast<Address>(offset)] = name + "_" + register_name;
+    all[base + offset] = name + "_" + register_name;
   }
   if (mapped) {
     all[base + 0x2C] = name + "_PERIPHERAL_MAP";
@@ -35,20 +28,22 @@ void add_channel(Addresses& all, Address base, const std::string& name, bool map
 Addresses published_registers() {
   Addresses all = {
       {0xFFC01B0C, "DMA1_TC_PER"}, {0xFFC01B10, "DMA1_TC_CNT"}, {0xFFC00B0C, "DMA2_TC_PER"}};
-  for (const auto& [base, controller] : {std::pair{0xFFC01C00, 1}, {0xFFC00C00, 2}}) {
+  for (const auto& [base, controller] : {std::pair{0xFFC01C00, 1}, std::pair{0xFFC00C00, 2}}) {
     for (Address channel = 0; channel < 12; ++channel) {
       add_channel(all, base + 0x40 * channel, fmt::format("DMA{}_{}", controller, channel), true);
     }
   }
   constexpr std::array kEnds = {"D0", "S0", "D1", "S1"};
   for (const auto& [base, controller] :
-       {std::pair{0xFFC01F00, "MDMA1_"}, {0xFFC00F00, "MDMA2_"}, {0xFFC01800, "IMDMA_"}}) {
+       {std::pair{0xFFC01F00, "MDMA1_"}, std::pair{0xFFC00F00, "MDMA2_"},
+        std::pair{0xFFC01800, "IMDMA_"}}) {
     for (Address end = 0; end < kEnds.size(); ++end) {
       add_channel(all, base + 0x40 * end, controller + std::string(kEnds[end]), base != 0xFFC01800);
     }
   }
   constexpr std::array kPpi = {"CONTROL", "STATUS", "COUNT", "DELAY", "FRAME"};
-  for (const auto& [base, name] : {std::pair{0xFFC01000, "PPI0_"}, {0xFFC01300, "PPI1_"}}) {
+  for (const auto& [base, name] :
+       {std::pair{0xFFC01000, "PPI0_"}, std::pair{0xFFC01300, "PPI1_"}}) {
     for (Address i = 0; i < kPpi.size(); ++i) {
       all[base + 4 * i] = name + std::string(kPpi[i]);
     }
@@ -56,7 +51,8 @@ Addresses published_registers() {
   constexpr std::array kInterrupts = {"SWRST", "SYSCR", "RVECT", "IMASK0", "IMASK1", "ISR0",
                                       "ISR1",  "IWR0",  "IWR1",  "IAR0",   "IAR1",   "IAR2",
                                       "IAR3",  "IAR4",  "IAR5",  "IAR6",   "IAR7"};
-  for (const auto& [base, name] : {std::pair{0xFFC00100, "SICA_"}, {0xFFC01100, "SICB_"}}) {
+  for (const auto& [base, name] :
+       {std::pair{0xFFC00100, "SICA_"}, std::pair{0xFFC01100, "SICB_"}}) {
     for (Address i = 0; i < kInterrupts.size(); ++i) {
       all[base + 4 * i] = name + std::string(kInterrupts[i]);
     }
