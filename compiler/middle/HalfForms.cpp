@@ -14,15 +14,29 @@ using namespace PatternMatch;
 
 constexpr unsigned kFractionBits = 15;
 
-/// Is the value what its low 16 bits are, extended by their sign?
-bool fits_signed(const Value* value, const DataLayout& layout) {
-  return is_half(value) || ComputeNumSignBits(value, layout) > kHalfBits;
-}
-
-/// Or by zeros?
+/// Is the value what its low 16 bits are, extended by zeros?
 bool fits_unsigned(const Value* value, const DataLayout& layout) {
   return is_half(value) ||
          MaskedValueIsZero(value, APInt::getHighBitsSet(2 * kHalfBits, kHalfBits), layout);
+}
+
+/// a * b >> 15 and one more, (a + b) >> 1: more than 16 bits come down.
+HalfForm form_of_wide_shift(Value* from, unsigned by, const DataLayout& layout) {
+  Value* a = nullptr;
+  Value* b = nullptr;
+  const bool fraction =
+      (by == kFractionBits || by == kHalfBits) && match(from, m_Mul(m_Value(a), m_Value(b)));
+  const bool mean = by == 1 && match(from, m_Add(m_Value(a), m_Value(b)));
+  if (!(fraction || mean) || !fits_signed(a, layout) || !fits_signed(b, layout) ||
+      (fraction && may_be_least(a) && may_be_least(b)))
+    return {};
+  const auto* inst = dyn_cast<Instruction>(from);
+  HalfForm form{HalfForm::mean, 0, 0, {a, b}, {}};
+  if (fraction)
+    form = {HalfForm::intrinsic, Intrinsic::smul_fix_sat, by - kFractionBits, {a, b}, {}};
+  if (inst != nullptr)
+    form.within.push_back(inst);
+  return form;
 }
 
 HalfForm form_of_shift(const BinaryOperator& shift, const DataLayout& layout) {
@@ -39,6 +53,8 @@ HalfForm form_of_shift(const BinaryOperator& shift, const DataLayout& layout) {
     return form;
   if (shift.getOpcode() == Instruction::Shl)
     return {};
+  if (HalfForm wide = form_of_wide_shift(from, by, layout); wide.kind != HalfForm::none)
+    return wide;
   // Of an extended half, sign bits come down also in a logical shift of the word.
   if (fits_signed(from, layout))
     return {HalfForm::shift, Instruction::AShr, std::min(by, kHalfBits - 1), {from}, {}};
@@ -160,6 +176,15 @@ HalfForm form_of_saturation(Value* value, const DataLayout& layout) {
 }
 
 }  // namespace
+
+bool may_be_least(const Value* value) {
+  const APInt least(value->getType()->getIntegerBitWidth(), INT16_MIN, /*isSigned=*/true);
+  return computeConstantRange(value, /*ForSigned=*/true).contains(least);
+}
+
+bool fits_signed(const Value* value, const DataLayout& layout) {
+  return is_half(value) || ComputeNumSignBits(value, layout) > kHalfBits;
+}
 
 HalfForm form_of(Value* value, const Loop& loop) {
   const auto* inst = dyn_cast<Instruction>(value);

@@ -9,6 +9,7 @@
 
 #include "Alignment.hpp"
 #include "HalfForms.hpp"
+#include "PairWords.hpp"
 
 namespace finback::compiler {
 namespace {
@@ -17,6 +18,13 @@ using namespace llvm;
 
 constexpr unsigned kLeastElements = 8;  // fewer are not worth the tests
 constexpr unsigned kMostValues = 40;    // more do not stay in registers
+
+/// The least or the greatest of an array: `next`, which each round makes of `last` and `other`.
+struct Extreme {
+  PHINode* last;
+  IntrinsicInst* next;
+  Value* other;
+};
 
 class HalfLoop {
  public:
@@ -29,15 +37,19 @@ class HalfLoop {
  private:
   bool plan_value(Value* value);
   bool plan_access(const Value* address);
+  bool plan_store(StoreInst& store);
+  bool plan_extreme(PHINode& last);
   [[nodiscard]] bool steers(Instruction& inst) const;
   [[nodiscard]] bool is_used_otherwise(const Instruction& inst) const;
   Value* write_value(Value* value);
   Value* write_form(const HalfForm& form, IRBuilder<>& builder);
+  void write_extreme(const Extreme& extreme);
 
   Loop& loop_;
   BasicBlock& block_;
   ScalarEvolution& scev_;
   SmallVector<StoreInst*, 4> stores_;
+  SmallVector<Extreme, 2> extremes_;
   SmallVector<const SCEV*, 8> addresses_;
   SmallPtrSet<const Value*, 32> planned_;
   SmallPtrSet<const Value*, 8> passed_;  // parts of others' forms
@@ -88,6 +100,8 @@ bool HalfLoop::steers(Instruction& inst) const {
 }
 
 bool HalfLoop::is_used_otherwise(const Instruction& inst) const {
+  if (any_of(extremes_, [&](const Extreme& extreme) { return extreme.next == &inst; }))
+    return false;  // what is behind the loop may want it
   return any_of(inst.users(), [&](const User* user) {
     const auto* store = dyn_cast<StoreInst>(user);
     return store != nullptr ? !is_contained(stores_, store) || store->getPointerOperand() == &inst
@@ -95,15 +109,43 @@ bool HalfLoop::is_used_otherwise(const Instruction& inst) const {
   });
 }
 
+bool HalfLoop::plan_store(StoreInst& store) {
+  stores_.push_back(&store);
+  return store.isSimple() && is_half(store.getValueOperand()) &&
+         plan_access(store.getPointerOperand()) && plan_value(store.getValueOperand());
+}
+
+bool HalfLoop::plan_extreme(PHINode& last) {
+  auto* next = dyn_cast<IntrinsicInst>(last.getIncomingValueForBlock(&block_));
+  if (next == nullptr || !last.hasOneUse() || last.getNumIncomingValues() != 2 ||
+      (next->getIntrinsicID() != Intrinsic::smin && next->getIntrinsicID() != Intrinsic::smax) ||
+      (next->getArgOperand(0) != &last && next->getArgOperand(1) != &last))
+    return false;
+  Value* other = next->getArgOperand(next->getArgOperand(0) == &last ? 1 : 0);
+  const bool only_behind = all_of(next->users(), [&](const User* user) {
+    const auto* phi = dyn_cast<PHINode>(user);
+    return phi == &last || (phi != nullptr && phi->getParent() == loop_.getExitBlock() &&
+                            phi->getNumIncomingValues() == 1);
+  });
+  const DataLayout& layout = next->getDataLayout();
+  if (!only_behind || !fits_signed(other, layout) ||
+      !fits_signed(last.getIncomingValueForBlock(loop_.getLoopPreheader()), layout))
+    return false;
+  extremes_.push_back({&last, next, other});
+  planned_.insert(&last);
+  planned_.insert(next);
+  return plan_value(other);
+}
+
 bool HalfLoop::plan() {
-  for (Instruction& inst : block_)
-    if (auto* store = dyn_cast<StoreInst>(&inst)) {
-      if (!store->isSimple() || !is_half(store->getValueOperand()) ||
-          !plan_access(store->getPointerOperand()) || !plan_value(store->getValueOperand()))
-        return false;
-      stores_.push_back(store);
-    }
-  if (stores_.empty())
+  for (Instruction& inst : block_) {
+    auto* store = dyn_cast<StoreInst>(&inst);
+    auto* phi = dyn_cast<PHINode>(&inst);
+    if ((store != nullptr && !plan_store(*store)) ||
+        (phi != nullptr && !steers(*phi) && !plan_extreme(*phi)))
+      return false;
+  }
+  if (stores_.empty() && extremes_.empty())
     return false;
   return all_of(block_, [&](Instruction& inst) {
     if (planned_.contains(&inst) || passed_.contains(&inst))
@@ -127,7 +169,8 @@ Value* HalfLoop::write_form(const HalfForm& form, IRBuilder<>& builder) {
         operands.push_back(builder.getFalse());
       if (form.code == Intrinsic::smul_fix_sat)
         operands.push_back(builder.getInt32(kHalfBits - 1));
-      return builder.CreateIntrinsic(form.code, {builder.getInt16Ty()}, operands);
+      return builder.CreateAShr(
+          builder.CreateIntrinsic(form.code, {builder.getInt16Ty()}, operands), form.by);
     case HalfForm::negated:
     case HalfForm::amount: {
       Value* negative =
@@ -136,6 +179,8 @@ Value* HalfLoop::write_form(const HalfForm& form, IRBuilder<>& builder) {
                  ? negative
                  : builder.CreateBinaryIntrinsic(Intrinsic::smax, operands[0], negative);
     }
+    case HalfForm::mean:
+      return write_mean(operands[0], operands[1], builder);
     case HalfForm::distance:
       return builder.CreateSub(
           builder.CreateBinaryIntrinsic(Intrinsic::smax, operands[0], operands[1]),
@@ -161,7 +206,39 @@ Value* HalfLoop::write_value(Value* value) {
   return half;
 }
 
+void HalfLoop::write_extreme(const Extreme& extreme) {
+  Value* other = write_value(extreme.other);
+  BasicBlock* before = loop_.getLoopPreheader();
+  IRBuilder<> builder(before->getTerminator());
+  Type* half = builder.getInt16Ty();
+  Value* first = builder.CreateTrunc(extreme.last->getIncomingValueForBlock(before), half);
+  builder.SetInsertPoint(extreme.last);
+  PHINode* last = builder.CreatePHI(half, 2);
+  builder.SetInsertPoint(extreme.next);
+  Value* next = builder.CreateBinaryIntrinsic(extreme.next->getIntrinsicID(), last, other);
+  last->addIncoming(first, before);
+  last->addIncoming(next, &block_);
+  BasicBlock* behind = loop_.getExitBlock();
+  for (User* user : make_early_inc_range(extreme.next->users())) {
+    auto* old = cast<PHINode>(user);
+    if (old == extreme.last)
+      continue;
+    builder.SetInsertPoint(old);
+    PHINode* result = builder.CreatePHI(half, 1);
+    result->addIncoming(next, &block_);
+    builder.SetInsertPoint(behind, behind->getFirstInsertionPt());
+    old->replaceAllUsesWith(builder.CreateSExtOrTrunc(result, old->getType()));
+    old->eraseFromParent();
+  }
+  scev_.forgetValue(extreme.last);
+  extreme.last->replaceAllUsesWith(PoisonValue::get(extreme.last->getType()));
+  extreme.last->eraseFromParent();
+  RecursivelyDeleteTriviallyDeadInstructions(extreme.next);
+}
+
 void HalfLoop::write() {
+  for (const Extreme& extreme : extremes_)
+    write_extreme(extreme);
   SmallVector<WeakTrackingVH, 8> old;
   for (StoreInst* store : stores_) {
     old.emplace_back(store->getValueOperand());
@@ -180,6 +257,7 @@ bool narrow_loop(Loop& loop, ScalarEvolution& scev, LoopAccessInfoManager& acces
   HalfLoop halves(loop, scev);
   if (!halves.plan() || !accesses.getInfo(loop).canVectorizeMemory())
     return false;
+  accesses.clear();  // they know values that go
   halves.write();
   return true;
 }

@@ -7,7 +7,9 @@
 #include <llvm/IR/IntrinsicInst.h>
 #include <llvm/IR/PatternMatch.h>
 #include <llvm/Transforms/Utils/Local.h>
+#include <llvm/Transforms/Utils/LoopUtils.h>
 
+#include "HalfForms.hpp"
 #include "NamedCall.hpp"
 
 namespace finback::compiler {
@@ -16,13 +18,12 @@ namespace {
 using namespace llvm;
 using namespace PatternMatch;
 
-constexpr unsigned kLaneBits = 16;
 const Align kWord(4);
 
 bool is_pair_type(const Type* type) {
   const auto* vector = dyn_cast<FixedVectorType>(type);
   return vector != nullptr && vector->getNumElements() == 2 &&
-         vector->getElementType()->isIntegerTy(kLaneBits);
+         vector->getElementType()->isIntegerTy(kHalfBits);
 }
 
 /// The name of what an intrinsic does with pairs; empty when it has none.
@@ -40,6 +41,41 @@ Value* saturated_amount(Instruction& inst) {
   Value* value = nullptr;
   const auto negative = m_Intrinsic<Intrinsic::ssub_sat>(m_Zero(), m_Deferred(value));
   return match(&inst, m_c_SMax(m_Value(value), negative)) ? value : nullptr;
+}
+
+/// What write_mean() wrote.
+bool is_mean(Instruction& inst, Value*& a, Value*& b) {
+  return match(&inst, m_c_Add(m_And(m_Value(a), m_Value(b)),
+                              m_AShr(m_c_Xor(m_Deferred(a), m_Deferred(b)), m_One())));
+}
+
+/// A half that goes from round to round through minima or maxima goes as a word: it would be
+/// extended in each round.
+bool widen_extreme(PHINode& phi) {
+  for (Value* incoming : phi.incoming_values()) {
+    auto* next = dyn_cast<MinMaxIntrinsic>(incoming);
+    if (next == nullptr || !next->isSigned() || phi.getNumIncomingValues() != 2 ||
+        (next->getLHS() != &phi && next->getRHS() != &phi))
+      continue;
+    IRBuilder<> builder(&phi);
+    PHINode* word = builder.CreatePHI(builder.getInt32Ty(), 2);
+    builder.SetInsertPoint(next);
+    Value* other = next->getLHS() == &phi ? next->getRHS() : next->getLHS();
+    Value* wide = builder.CreateBinaryIntrinsic(next->getIntrinsicID(), word,
+                                                builder.CreateSExt(other, builder.getInt32Ty()));
+    next->replaceAllUsesWith(builder.CreateTrunc(wide, phi.getType()));
+    for (const auto& [value, block] : zip(phi.incoming_values(), phi.blocks())) {
+      builder.SetInsertPoint(block->getTerminator());
+      const bool is_next = match(value.get(), m_Trunc(m_Specific(wide)));
+      word->addIncoming(is_next ? wide : builder.CreateSExt(value, word->getType()), block);
+    }
+    builder.SetInsertPoint(phi.getParent(), phi.getParent()->getFirstInsertionPt());
+    phi.replaceAllUsesWith(builder.CreateTrunc(word, phi.getType()));
+    next->eraseFromParent();
+    phi.eraseFromParent();
+    return true;
+  }
+  return false;
 }
 
 class PairWords {
@@ -81,8 +117,14 @@ Value* PairWords::write_operation(BinaryOperator& inst, IRBuilder<>& builder) {
   Value* left = inst.getOperand(0);
   Value* right = inst.getOperand(1);
   const APInt* by = nullptr;
+  Value* a = nullptr;
+  Value* b = nullptr;
   switch (inst.getOpcode()) {
     case Instruction::Add:
+      if (is_mean(inst, a, b))
+        return builder.CreateTrunc(
+            call_named(builder, "both_half_2x16", {word(a), word(b)}, builder.getInt64Ty()),
+            builder.getInt32Ty());
       return call_named(builder, "add_i2x16", {word(left), word(right)});
     case Instruction::Sub:
       return call_named(builder, "sub_i2x16", {word(left), word(right)});
@@ -93,7 +135,7 @@ Value* PairWords::write_operation(BinaryOperator& inst, IRBuilder<>& builder) {
     case Instruction::Shl:
     case Instruction::LShr:
     case Instruction::AShr: {
-      if (!match(right, m_APInt(by)) || by->uge(kLaneBits))
+      if (!match(right, m_APInt(by)) || by->uge(kHalfBits))
         return nullptr;
       const auto count = static_cast<int16_t>(by->getZExtValue());
       const bool left_shift = inst.getOpcode() == Instruction::Shl;
@@ -186,11 +228,32 @@ Value* PairWords::write_half(Instruction& inst) {
     return call_named(builder, "abs_fr1x16", {value}, inst.getType());
   Value* a = nullptr;
   Value* b = nullptr;
+  if (auto* all = dyn_cast<IntrinsicInst>(&inst);
+      all != nullptr && (all->getIntrinsicID() == Intrinsic::vector_reduce_smin ||
+                         all->getIntrinsicID() == Intrinsic::vector_reduce_smax)) {
+    if (!is_pair_type(all->getArgOperand(0)->getType()))
+      return nullptr;
+    Value* both = word(all->getArgOperand(0));
+    return builder.CreateBinaryIntrinsic(
+        getMinMaxReductionIntrinsicOp(all->getIntrinsicID()),
+        builder.CreateTrunc(both, inst.getType()),
+        builder.CreateTrunc(builder.CreateLShr(both, kHalfBits), inst.getType()));
+  }
+  if (is_mean(inst, a, b)) {
+    Type* wide = builder.getInt32Ty();
+    Value* sum = builder.CreateAdd(builder.CreateSExt(a, wide), builder.CreateSExt(b, wide));
+    return builder.CreateTrunc(builder.CreateAShr(sum, 1), inst.getType());
+  }
   if (match(&inst, m_Intrinsic<Intrinsic::ssub_sat>(m_Zero(), m_Value(a))))
     return call_named(builder, "negate_fr1x16", {a}, inst.getType());
   if (match(&inst, m_Intrinsic<Intrinsic::smul_fix_sat>(m_Value(a), m_Value(b),
-                                                        m_SpecificInt(kLaneBits - 1))))
-    return call_named(builder, "mult_fr1x16", {a, b}, inst.getType());
+                                                        m_SpecificInt(kHalfBits - 1)))) {
+    if (may_be_least(a) && may_be_least(b))
+      return call_named(builder, "mult_fr1x16", {a, b}, inst.getType());
+    Type* wide = builder.getInt32Ty();
+    Value* product = builder.CreateMul(builder.CreateSExt(a, wide), builder.CreateSExt(b, wide));
+    return builder.CreateTrunc(builder.CreateAShr(product, kHalfBits - 1), inst.getType());
+  }
   return nullptr;
 }
 
@@ -198,7 +261,7 @@ bool PairWords::run() {
   SmallVector<Instruction*, 32> all;
   for (BasicBlock* block : ReversePostOrderTraversal<Function*>(&function_))
     for (Instruction& inst : *block)
-      if (is_pair_type(inst.getType()) || inst.getType()->isIntegerTy(kLaneBits))
+      if (is_pair_type(inst.getType()) || inst.getType()->isIntegerTy(kHalfBits))
         all.push_back(&inst);
   bool changed = false;
   for (Instruction* inst : all) {
@@ -214,6 +277,9 @@ bool PairWords::run() {
     }
   }
   finish_phis();
+  for (BasicBlock& block : function_)
+    for (PHINode& phi : make_early_inc_range(block.phis()))
+      changed |= phi.getType()->isIntegerTy(kHalfBits) && widen_extreme(phi);
   changed |= !pairs_.empty();
   replace_pairs();
   if (changed)
@@ -223,6 +289,10 @@ bool PairWords::run() {
 }
 
 }  // namespace
+
+Value* write_mean(Value* a, Value* b, IRBuilder<>& builder) {
+  return builder.CreateAdd(builder.CreateAnd(a, b), builder.CreateAShr(builder.CreateXor(a, b), 1));
+}
 
 PreservedAnalyses PairWordsPass::run(Function& function, FunctionAnalysisManager&) {
   if (!PairWords(function).run())

@@ -24,8 +24,10 @@ bool mark_loops(Function& function, FunctionAnalysisManager& manager) {
   auto& scev = manager.getResult<ScalarEvolutionAnalysis>(function);
   auto& dominators = manager.getResult<DominatorTreeAnalysis>(function);
   auto& assumptions = manager.getResult<AssumptionAnalysis>(function);
-  for (Loop* loop : loops)
+  for (Loop* loop : loops) {
     simplifyLoop(loop, &dominators, &loops, &scev, &assumptions, nullptr, false);
+    formLCSSARecursively(*loop, dominators, &loops, &scev);
+  }
   auto& accesses = manager.getResult<LoopAccessAnalysis>(function);
   bool any = false;
   for (Loop* loop : loops.getLoopsInPreorder()) {

@@ -35,6 +35,8 @@ TEST_F(Halves, AreTakenTwoAtATime) {
            {"sub_fr1x16(x[i], y[i])", " -|- R"},
            {"mult_fr1x16(x[i], y[i])", ".H * R"},
            {"limited(x[i] * y[i] >> 15)", ".H * R"},
+           {"x[i] * 23170 >> 15", ".H * R"},
+           {"(x[i] + y[i]) >> 1", " (ASR)"},
            {"x[i] > y[i] ? x[i] - y[i] : y[i] - x[i]", " -|- R"}}) {
     const std::string body = loop_over(element);
     EXPECT_GE(count(body, instruction), 1) << element << "\n" << body;
@@ -63,10 +65,21 @@ TEST_F(Halves, ThatAreKnownToBeAlignedAreNotTested) {
 
 TEST_F(Halves, AreTakenOneByOneWhereTwoWouldBeSomethingElse) {
   for (const char* element :
-       {"x[i] * y[i]", "(x[i] + y[i]) >> 1", "x[i] + i", "x[i + 1] - x[i]", "x[2 * i] + 1",
+       {"x[i] * y[i]", "x[i] * y[i] >> 15", "x[i] + i", "x[i + 1] - x[i]", "x[2 * i] + 1",
         "x[i] + *(volatile const short *)&y[i]", "x[i] > k ? x[i] : k"})
     EXPECT_EQ(count(loop_over(element), "= [P0"), 0) << element << "\n" << loop_over(element);
   EXPECT_EQ(count(loop_over("x[i] < y[i] ? x[i] : y[i]", "unsigned short"), "(V)"), 0);
+}
+
+TEST_F(Halves, ArePairsOfExtremesToo) {
+  const std::string body =
+      function_of(compile("int f(const short *x, int n) {\n  int most = -1;\n"
+                          "  for (int i = 0; i < n; i++) most = x[i] > most ? x[i] : most;\n"
+                          "  return most;\n}\n"),
+                  "f");
+  EXPECT_EQ(count(body, "(V) || R2 = [P0++] || NOP;"), 1) << body;
+  // One by one, the greatest so far is extended once, not in each round.
+  EXPECT_EQ(count(body, "MAX(R0, R1) || R1 = W[P0++] (X) || NOP;"), 1) << body;
 }
 
 // What two and a half hundred elements more cost: a scalar loop takes two cycles for each and

@@ -27,6 +27,9 @@ class LoopWriter {
 
  private:
   unsigned below(unsigned limit) { return static_cast<unsigned>(random_() % limit); }
+  std::string leaf_constant() {
+    return fmt::format("({})", static_cast<int>(below(65536)) - 32768);
+  }
   Expression leaf();
   Expression node(int depth);
   static Expression half(const Expression& wide, const char* type = "short") {
@@ -42,7 +45,7 @@ class LoopWriter {
 Expression LoopWriter::leaf() {
   switch (below(7)) {
     case 0:
-      return {fmt::format("{}", static_cast<int>(below(65536)) - 32768), 16};
+      return {leaf_constant(), 16};
     case 1:
       return {"(short)k", 16};
     case 2:
@@ -57,7 +60,7 @@ Expression LoopWriter::leaf() {
 
 Expression LoopWriter::of_two(const Expression& a, const Expression& b) {
   const int more = std::max(a.bits, b.bits) + 1;
-  switch (below(9)) {
+  switch (below(11)) {
     case 0:
     case 1:
       return {fmt::format("({} + {})", a.text, b.text), more};
@@ -72,6 +75,11 @@ Expression LoopWriter::of_two(const Expression& a, const Expression& b) {
       return {fmt::format("limited({} {} {})", a.text, below(2) == 0 ? "+" : "-", b.text), 16};
     case 7:
       return {fmt::format("limited(({}) * ({}) >> 15)", half(a).text, half(b).text), 16};
+    case 8:
+      return {fmt::format("(({} + {}) >> 1)", half(a).text, half(b).text), 16};
+    case 9:
+      return half(
+          {fmt::format("({}) * {} >> {}", half(a).text, leaf_constant(), 15 + below(2)), 17});
     default:
       return {fmt::format("({} {} {})", a.text, "&|^"[below(3)], b.text), more};
   }
@@ -111,8 +119,13 @@ std::string LoopWriter::loop(int number) {
   return fmt::format(
       "__attribute__((noinline)) static void loop{}(short* {} z, const {}* {} x,\n"
       "    const short* y, int n, int k) {{\n  (void)y, (void)k;\n"
-      "  for (int i = 0; i < n; i++)\n    z[i] = (short)({});\n}}\n",
-      number, apart, type, apart, node(static_cast<int>(below(3)) + 1).text);
+      "  {} best = k / 2;\n  for (int i = 0; i < n; i++) {{\n    z[i] = (short)({});\n{}  }}\n"
+      "  z[n] = best;\n}}\n",
+      number, apart, type, apart, below(2) == 0 ? "short" : "int",
+      node(static_cast<int>(below(3)) + 1).text,
+      below(3) == 0 ? fmt::format("    best = {}({}, best);\n", below(2) == 0 ? "least" : "most",
+                                  half(node(1)).text)
+                    : "");
 }
 
 std::string LoopWriter::program() {

@@ -49,6 +49,9 @@ LOOP(limited_outside, clamp(x[i] - half(k)))
 LOOP(scaled, LEAST(x[i] * half(k) >> 15, 32767))
 LOOP(blend, clamp(LEAST(x[i] * half(k) >> 15, 32767) + (y[i] >> 1)))
 LOOP(window, LEAST(MOST(x[i] - y[i], -100), k))
+LOOP(gain, x[i] * 23170 >> 15)
+LOOP(gain_of_least, x[i] * -32768 >> 15)
+LOOP(upper, x[i] * -4321 >> 16)
 LOOP(half_sum, (x[i] + y[i]) >> 1)
 LOOP(distance, MAGNITUDE(x[i] - y[i]))
 LOOP(unsigned_least, LEAST((unsigned short)x[i], (unsigned short)y[i]))
@@ -82,6 +85,9 @@ static Loop* const loops[] = {sum,
                               scaled,
                               blend,
                               window,
+                              gain,
+                              gain_of_least,
+                              upper,
                               half_sum,
                               distance,
                               unsigned_least,
@@ -89,49 +95,6 @@ static Loop* const loops[] = {sum,
                               chosen,
                               mixed,
                               volatile_read};
-
-APART static void overlapping(short* z, const short* x, const short* y, int n) {
-  for (int i = 0; i < n; i++)
-    z[i] = (short)(x[i] + y[i]);
-}
-APART static void in_place(short* x, const short* y, unsigned n) {
-  while (n-- != 0)
-    *x = (short)(*x - *y), x++, y++;
-}
-APART static void two_results(short* restrict z, short* restrict v, const short* x, int n) {
-  for (int i = 0; i < n; i++) {
-    z[i] = (short)clamp(x[i] + x[i]);
-    v[i] = (short)(x[i] >> 2);
-  }
-}
-APART static void neighbours(short* restrict z, const short* x, int n) {
-  for (int i = 0; i < n; i++)
-    z[i] = (short)(x[i + 1] - x[i]);
-}
-APART static void backwards(short* restrict z, const short* x, int n) {
-  for (int i = n - 1; i >= 0; i--)
-    z[i] = (short)(x[i] + 1);
-}
-APART static void every_second(short* restrict z, const short* x, int n) {
-  for (int i = 0; i < n; i += 2)
-    z[i] = (short)(x[i] - 5);
-}
-APART static void rows(short* restrict z, const short* restrict x, int width, int height,
-                       int pitch) {
-  for (int row = 0; row < height; row++)
-    for (int i = 0; i < width; i++)
-      z[row * pitch + i] = (short)-x[row * pitch + i];
-}
-APART static void globals(void) {
-  for (int i = 0; i < COUNT; i++)
-    c[i] = half(a[i] - b[i]);
-  for (int i = 1; i < COUNT; i++)
-    c[i] = half(c[i] + a[i]);
-}
-APART static void recurrence(short* z, int n) {
-  for (int i = 0; i + 1 < n; i++)
-    z[i + 1] = (short)(z[i] + z[i + 1]);
-}
 
 static void fill(void) {
   unsigned state = 99;
@@ -161,24 +124,5 @@ int main(void) {
     }
     report("loop", sum);
   }
-  for (int n = 0; n < 40; n += n < 12 ? 1 : 13) {
-    unsigned sum = 0;
-    for (int apart = 0; apart < 8; apart++) {
-      overlapping(a + apart, a + 4, b, n), sum = result(sum);
-      overlapping(a + 3, b, a + apart, n), sum = result(sum);
-      in_place(a + apart, a + 2, (unsigned)n), sum = result(sum);
-      two_results(c, a + 40, a + apart, n), sum = result(sum);
-    }
-    neighbours(c, a, n), sum = result(sum);
-    backwards(c, a, n), sum = result(sum);
-    every_second(c, a, n), sum = result(sum);
-    recurrence(c, n), sum = result(sum);
-    rows(c, a, n / 4, 4, n / 4), sum = result(sum);
-    rows(c, a, n / 4, 4, 9), sum = result(sum);
-    rows(c, a, 15, 3, 20), sum = result(sum);
-    report("shapes", sum);
-  }
-  globals();
-  report("globals", result(0));
   return 0;
 }
