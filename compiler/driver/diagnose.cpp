@@ -94,6 +94,16 @@ std::string problem_of(const Instruction& inst) {
   return "";
 }
 
+/// BIR's data are numbers and addresses.
+bool subtracts_addresses(const Constant* constant) {
+  const auto* expression = dyn_cast<ConstantExpr>(constant);
+  if (expression != nullptr && expression->getOpcode() == Instruction::Sub)
+    return true;
+  return !isa<GlobalValue, BlockAddress>(constant) &&
+         any_of(constant->operands(),
+                [](const Use& use) { return subtracts_addresses(cast<Constant>(use)); });
+}
+
 /// The instruction's place; where all jumps of a kind share one, that of a jump to it.
 DebugLoc location_of(const Instruction& inst) {
   DebugLoc loc = inst.getDebugLoc();
@@ -128,9 +138,14 @@ std::vector<std::string> unsupported_constructs(const Module& module, const std:
     for (const Instruction& inst : instructions(function))
       add(place(function, location_of(inst), input), problem_of(inst));
   }
-  for (const GlobalVariable& global : module.globals())
+  for (const GlobalVariable& global : module.globals()) {
     if (global.isThreadLocal())
       add(input + ":1:1", ("thread-local '" + global.getName() + "' is not supported").str());
+    if (global.hasInitializer() && subtracts_addresses(global.getInitializer()))
+      add(input + ":1:1", ("a difference of addresses in what '" + global.getName() +
+                           "' begins with is not supported; compute it where it is used")
+                              .str());
+  }
   for (const char* list : {"llvm.global_ctors", "llvm.global_dtors"})
     if (const GlobalVariable* functions = module.getGlobalVariable(list))
       add(input + ":1:1",

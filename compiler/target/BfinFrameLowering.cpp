@@ -266,7 +266,9 @@ StackOffset BfinFrameLowering::getFrameIndexReference(const MachineFunction& fun
 MachineBasicBlock::iterator BfinFrameLowering::eliminateCallFramePseudoInstr(
     MachineFunction& function, MachineBasicBlock& block, MachineBasicBlock::iterator at) const {
   const auto& tii = *function.getSubtarget<BfinSubtarget>().getInstrInfo();
-  if (!hasReservedCallFrame(function)) {
+  // Nothing returns from a call that the function ends with.
+  const bool returns = !block.succ_empty() || std::next(at) != block.end();
+  if (!hasReservedCallFrame(function) && returns) {
     int64_t bytes = at->getOperand(0).getImm();
     if (at->getOpcode() == Bfin::ADJCALLSTACKDOWN)
       bytes = -bytes;

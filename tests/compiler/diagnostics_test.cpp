@@ -55,6 +55,10 @@ constexpr Case kCases[] = {
     {"EnormousArgument",
      "struct S { int a[5000]; };\nvoid g(struct S);\nvoid f(struct S *s) {\n  g(*s);\n}\n",
      "bad.c:4:3: error: a struct of 20000 bytes is passed by value; pass its address"},
+    {"DifferenceOfLabels",
+     "int f(int i) {\n  static const int to[] = {0, &&b - &&a};\n  goto *(&&a + to[i]);\na:\n  "
+     "return 1;\nb:\n  return 2;\n}\n",
+     "error: a difference of addresses in what 'f.to' begins with is not supported"},
     {"EnormousFrame", "void g(char *);\nvoid f(void) {\n  char a[300000];\n  g(a);\n}\n",
      "bad.c:2:1: error: the stack frame of"},
 };

@@ -1,5 +1,7 @@
 /* Arrays of variable length: in loops, of two dimensions, as parameters, their sizes, in recursion;
  * alloca; pointers to them. */
+#include <setjmp.h>
+
 #include "report.h"
 
 APART static unsigned triangle(int n) {
@@ -86,8 +88,28 @@ APART static unsigned left_early(int n) {
   }
   return s;
 }
+/* Ends with a call that never comes back, below a frame whose size is not known. */
+static jmp_buf back;
+__attribute__((noinline, noreturn)) static void leave(int n) { longjmp(back, n); }
+APART static void left_by_a_jump(int n) {
+  unsigned char room[n];
+  unsigned s = 0;
+  for (int i = 0; i < n; i++)
+    room[i] = (unsigned char)(i * 7);
+  for (int i = n - 1; i >= 0; i--)
+    s = mix(s, room[i]);
+  if (s % 2 == 0)
+    return;
+  leave((int)(s % 100) + 1);
+}
 
 int main(void) {
+  for (volatile int n = 5; n < 12; n++) {
+    int code = setjmp(back);
+    if (code == 0)
+      left_by_a_jump(n);
+    report("left", (unsigned)code);
+  }
   report("triangle", triangle(12));
   report("table", (unsigned)(two_dimensions(3, 7) + two_dimensions(5, 1) + two_dimensions(2, 9)));
   int chosen[5];
