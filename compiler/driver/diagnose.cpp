@@ -64,8 +64,8 @@ std::string problem_of_arguments(const CallBase& call) {
 
 /// Where clang rounds a pointer to variable arguments up for a type: callers align none of them.
 bool aligns_variable_argument(const CallBase& call) {
-  return call.getIntrinsicID() == Intrinsic::ptrmask &&
-         call.getName().starts_with("argp.cur.aligned");
+  return call.getIntrinsicID() == Intrinsic::ptrmask && call.getName().starts_with("argp.cur") &&
+         call.getName().contains(".aligned");
 }
 
 std::string problem_of_call(const CallBase& call) {

@@ -49,9 +49,10 @@ constexpr Case kCases[] = {
      "error: an interrupt handler takes no arguments"},
     {"AlignedVariableArgument",
      "struct S { int a[4]; } __attribute__((aligned(16)));\nint f(int n, ...) {\n  "
-     "__builtin_va_list v;\n  __builtin_va_start(v, n);\n  return __builtin_va_arg(v, struct "
-     "S).a[n];\n}\n",
-     "bad.c:5:10: error: va_arg of a type that is aligned to more than 4 bytes"},
+     "__builtin_va_list v;\n  __builtin_va_start(v, n);\n  n += __builtin_va_arg(v, int);\n  "
+     "return "
+     "__builtin_va_arg(v, struct S).a[n];\n}\n",
+     "bad.c:6:10: error: va_arg of a type that is aligned to more than 4 bytes"},
     {"EnormousArgument",
      "struct S { int a[5000]; };\nvoid g(struct S);\nvoid f(struct S *s) {\n  g(*s);\n}\n",
      "bad.c:4:3: error: a struct of 20000 bytes is passed by value; pass its address"},
