@@ -13,6 +13,7 @@
 #include <llvm/Support/raw_ostream.h>
 
 #include "../middle/AbsoluteDifferences.hpp"
+#include "../middle/CircularBuffers.hpp"
 #include "../middle/NarrowProducts.hpp"
 #include "../middle/PairWords.hpp"
 #include "../middle/Products.hpp"
@@ -169,12 +170,13 @@ void run_middle_end(Module& module, TargetMachine& machine, char level) {
         passes.addPass(VectorLoopsPass());
       });
   builder.registerOptimizerLastEPCallback([](ModulePassManager& passes, OptimizationLevel target) {
-    if (target == OptimizationLevel::O0)
-      return;
     FunctionPassManager each;
-    each.addPass(NarrowProductsPass());
-    each.addPass(SaturatedShiftsPass());
-    each.addPass(PairWordsPass());
+    if (target != OptimizationLevel::O0) {
+      each.addPass(NarrowProductsPass());
+      each.addPass(SaturatedShiftsPass());
+      each.addPass(PairWordsPass());
+    }
+    each.addPass(CircularBuffersPass());
     passes.addPass(createModuleToFunctionPassAdaptor(std::move(each)));
   });
   OptimizationLevel target = middle_end_level(level);

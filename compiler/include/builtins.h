@@ -82,6 +82,9 @@ fract32 __builtin_bfin_lshl_fr1x32(fract32 a, short left) FINBACK_COMPUTES;
 fract32 __builtin_bfin_mult_fr1x32x32(fract32 a, fract32 b) FINBACK_COMPUTES;
 fract32 __builtin_bfin_multr_fr1x32x32(fract32 a, fract32 b) FINBACK_COMPUTES;
 /* Address and step added with the carry running to the right, from bit 31 to bit 0. */
+int __builtin_bfin_circindex(int index, int step, unsigned count) FINBACK_COMPUTES;
+void* __builtin_bfin_circptr(const void* pointer, int step, const void* base,
+                             unsigned bytes) FINBACK_COMPUTES;
 void* __builtin_bfin_brevadd(const void* address, const void* step) FINBACK_COMPUTES;
 
 /* Complex fractions: imaginary part in the high half, real part in the low one. */

@@ -22,18 +22,12 @@
 #define expected_true(condition) __builtin_expect((condition) != 0, 1)
 #define expected_false(condition) __builtin_expect((condition) != 0, 0)
 
-/* index + step, kept within 0 and count - 1; |step| is at most count. Additions and selections: the
- * index registers are not C's. */
-FINBACK_INLINE ptrdiff_t circindex(ptrdiff_t index, ptrdiff_t step, size_t count) {
-  const ptrdiff_t next = index + step;
-  return next < 0                   ? next + (ptrdiff_t)count
-         : next >= (ptrdiff_t)count ? next - (ptrdiff_t)count
-                                    : next;
-}
-/* pointer + step, kept within the `bytes` from `base`. */
-FINBACK_INLINE void* circptr(const void* pointer, ptrdiff_t step, const void* base, size_t bytes) {
-  return (char*)base + circindex((const char*)pointer - (const char*)base, step, bytes);
-}
+/* index + step, kept within 0 and count - 1, and pointer + step, kept within the `bytes` from `base`.
+ * What comes in lies within; |step| is at most the count. Circular addressing where it steps through
+ * a loop, additions and selections elsewhere. */
+#define circindex(index, step, count) __builtin_bfin_circindex((index), (step), (count))
+#define circptr(pointer, step, base, bytes) \
+  __builtin_bfin_circptr((pointer), (step), (base), (bytes))
 
 /* Steps in bit-reversed order: the carry of pointer + step runs to the right. */
 #define brevadd(pointer, step) __builtin_bfin_brevadd((pointer), (step))

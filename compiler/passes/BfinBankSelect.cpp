@@ -85,6 +85,10 @@ class BfinBankSelect : public MachineFunctionPass {
 
  private:
   bool is_value(const MachineOperand& operand) const;
+  /// Do operands and result share a bank?
+  bool is_joined(const MachineInstr& inst) const {
+    return inst.isPHI() ? is_value(inst.getOperand(0)) : forms_of(inst.getOpcode()).data != 0;
+  }
   int node(Register reg);
   int64_t weight(const MachineBasicBlock& block) const;
   void drop_copies(MachineFunction& function);
@@ -115,7 +119,7 @@ class BfinBankSelect : public MachineFunctionPass {
 char BfinBankSelect::ID = 0;
 
 bool BfinBankSelect::is_value(const MachineOperand& operand) const {
-  return operand.isReg() && operand.getReg().isVirtual() &&
+  return operand.isReg() && operand.getReg().isVirtual() && !operand.isUndef() &&
          Bfin::DPRegClass.hasSubClassEq(regs_->getRegClass(operand.getReg()));
 }
 
@@ -218,7 +222,7 @@ void BfinBankSelect::nudge(const MachineInstr& inst, Register def) {
 void BfinBankSelect::connect(MachineInstr& inst) {
   if (inst.isCopy())
     return connect_copy(inst);
-  bool joined = inst.isPHI() || forms_of(inst.getOpcode()).data != 0;
+  bool joined = is_joined(inst);
   int user = -1;
   if (joined && inst.getNumExplicitDefs() == 1) {
     user = node(inst.getOperand(0).getReg());
@@ -293,7 +297,7 @@ void BfinBankSelect::rewrite(MachineInstr& inst) {
   if (inst.isCopy())
     return;
   Forms forms = forms_of(inst.getOpcode());
-  bool joined = inst.isPHI() || forms.data != 0;
+  bool joined = is_joined(inst);
   Bank own = Bank::kEither;
   if (joined)
     own =

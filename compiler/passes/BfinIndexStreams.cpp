@@ -83,19 +83,28 @@ void swap(Stream& stream) {
 }
 
 /// What C reaches by name may want one, and two passes at once have theirs (BfinRotateLoops).
-bool uses_index_register(const MachineInstr& inst) {
+bool uses_index_register(const MachineInstr& inst, const TargetRegisterInfo& tri) {
   return any_of(kIndexRegisters, [&](MCPhysReg index) {
-    return inst.readsRegister(index, nullptr) || inst.modifiesRegister(index, nullptr);
+    return inst.readsRegister(index, &tri) || inst.modifiesRegister(index, &tri);
+  });
+}
+
+/// An outer loop's, or one of a circular buffer.
+bool brings_index_register(const MachineBasicBlock& block, const TargetRegisterInfo& tri) {
+  return any_of(block.liveins(), [&](const MachineBasicBlock::RegisterMaskPair& live) {
+    return any_of(kIndexRegisters,
+                  [&](MCPhysReg index) { return tri.regsOverlap(live.PhysReg, index); });
   });
 }
 
 bool BfinIndexStreams::find(MachineBasicBlock& block, Loop& loop) {
   if (!block.isSuccessor(&block) || block.succ_size() != 2 || block.pred_size() != 2)
     return false;
-  if (any_of(kIndexRegisters, [&](MCPhysReg index) { return block.isLiveIn(index); }))
-    return false;  // an outer loop's
+  const TargetRegisterInfo& tri = *block.getParent()->getSubtarget().getRegisterInfo();
+  if (brings_index_register(block, tri))
+    return false;
   for (const MachineInstr& inst : block)
-    if (inst.isCall() || inst.isInlineAsm() || inst.isPosition() || uses_index_register(inst))
+    if (inst.isCall() || inst.isInlineAsm() || inst.isPosition() || uses_index_register(inst, tri))
       return false;
   const auto is_other = [&](const MachineBasicBlock* other) { return other != &block; };
   loop.block = &block;

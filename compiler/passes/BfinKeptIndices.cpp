@@ -39,6 +39,9 @@ class BfinKeptIndices : public MachineFunctionPass {
   [[nodiscard]] bool is_index(Register reg) const {
     return reg.isVirtual() && Bfin::IRRegClass.hasSubClassEq(regs_->getRegClass(reg));
   }
+  [[nodiscard]] bool is_ring(Register reg) const {
+    return reg.isVirtual() && regs_->getRegClass(reg) == &Bfin::RINGRegClass;
+  }
   [[nodiscard]] bool uses_index(const MachineInstr& inst) const;
   [[nodiscard]] bool may_keep(const MachineLoop& outer) const;
   bool keep(MachineInstr& copy);
@@ -55,7 +58,7 @@ char BfinKeptIndices::ID = 0;
 bool BfinKeptIndices::uses_index(const MachineInstr& inst) const {
   return any_of(inst.operands(), [&](const MachineOperand& operand) {
     return operand.isReg() &&
-           (is_index(operand.getReg()) ||
+           (is_index(operand.getReg()) || is_ring(operand.getReg()) ||
             (operand.getReg().isPhysical() && Bfin::IRRegClass.contains(operand.getReg())));
   });
 }
@@ -71,9 +74,10 @@ bool BfinKeptIndices::may_keep(const MachineLoop& outer) const {
                                         : inst.isPHI() && block == outer.getHeader();
       pointers += begins && is_index(inst.getOperand(0).getReg()) ? 1 : 0;
       if (inst.isCall() || inst.isInlineAsm() ||
-          any_of(inst.operands(), [](const MachineOperand& operand) {
-            return operand.isReg() && operand.getReg().isPhysical() &&
-                   Bfin::IRRegClass.contains(operand.getReg());
+          any_of(inst.operands(), [&](const MachineOperand& operand) {
+            return operand.isReg() &&
+                   (is_ring(operand.getReg()) ||
+                    (operand.getReg().isPhysical() && Bfin::IRRegClass.contains(operand.getReg())));
           }))
         return false;
     }

@@ -198,6 +198,7 @@ bool BfinRotateLoops::registers_suffice(const LoopDependences& loop, const Modul
   const auto bank = [&](Register reg) -> size_t {
     return Bfin::PRegClass.hasSubClassEq(regs_->getRegClass(reg)) ? 1 : 0;
   };
+  const auto is_ring = [&](Register reg) { return regs_->getRegClass(reg) == &Bfin::RINGRegClass; };
   std::array<std::vector<size_t>, 2> living;
   living.fill(std::vector<size_t>(schedule.cycles, 0));
   std::set<Register> outside;
@@ -205,7 +206,7 @@ bool BfinRotateLoops::registers_suffice(const LoopDependences& loop, const Modul
   const std::vector<MachineInstr*>& instructions = loop.instructions();
   for (size_t i = 0; i < instructions.size(); ++i)
     for (const MachineOperand& use : instructions[i]->all_uses()) {
-      if (!use.getReg().isVirtual() || use.isUndef())
+      if (!use.getReg().isVirtual() || use.isUndef() || is_ring(use.getReg()))
         continue;
       Register reg = use.getReg();
       unsigned end = schedule.times[i];

@@ -48,6 +48,10 @@ bool is_half_load(unsigned index_opcode) {
          index_opcode == Bfin::LDLIDec;
 }
 
+bool is_ring_half_load(unsigned ring_opcode) {
+  return ring_opcode == Bfin::LDLR || ring_opcode == Bfin::LDLRInc || ring_opcode == Bfin::LDLRDec;
+}
+
 bool reads_upper_half(const MachineInstr& inst, unsigned index) {
   switch (inst.getOpcode()) {
     case Bfin::MULIS:
@@ -81,6 +85,9 @@ bool reads_upper_half(const MachineInstr& inst, unsigned index) {
     case Bfin::STHI:
     case Bfin::STHIInc:
     case Bfin::STHIDec:
+    case Bfin::STHR:
+    case Bfin::STHRInc:
+    case Bfin::STHRDec:
     case Bfin::STB:
     case Bfin::STBInc:
     case Bfin::STBDec:
@@ -175,9 +182,12 @@ std::vector<IndexStream> index_streams(MachineBasicBlock& block) {
   std::vector<IndexStream> streams;
   if (isInterruptHandler(block.getParent()->getFunction()))
     return streams;
+  const auto rings = static_cast<size_t>(count_if(block.phis(), [&](const MachineInstr& phi) {
+    return regs.getRegClass(phi.getOperand(0).getReg()) == &Bfin::RINGRegClass;
+  }));
   for (MachineInstr& phi : block.phis()) {
     IndexStream stream{&phi, {}, {}};
-    if (streams.size() + 1 < kIndexRegisterCount && find_accesses(stream, regs))
+    if (rings + streams.size() + 1 < kIndexRegisterCount && find_accesses(stream, regs))
       streams.push_back(std::move(stream));
   }
   return streams;

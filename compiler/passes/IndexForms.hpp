@@ -15,6 +15,8 @@ constexpr size_t kIndexRegisterCount = 4;
 unsigned index_form(unsigned opcode);
 /// Whether an access through an I register loads 16 bits.
 bool is_half_load(unsigned index_opcode);
+/// The same through a ring register.
+bool is_ring_half_load(unsigned ring_opcode);
 /// Whether operand `index` of `inst`, a data register, is read beyond its low half.
 bool reads_upper_half(const MachineInstr& inst, unsigned index);
 /// A pointer of a loop of one block, before allocation, that might be in an I register: its

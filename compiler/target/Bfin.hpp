@@ -22,6 +22,8 @@ void initializeBfinTarget();
 FunctionPass* createBfinISelDag(BfinTargetMachine& machine, CodeGenOptLevel level);
 /// On LLVM's IR: one register for counters and pointers that step alike.
 FunctionPass* createBfinSameSteps();
+/// Circular buffers in I, M, B and L registers, while their loops run.
+FunctionPass* createBfinRings();
 /// Decides which loops of the machine code run on LC0 and LC1; turns the others into count downs.
 FunctionPass* createBfinHardwareLoops();
 /// Keeps sums of products in A0 and A1 while their loop runs.

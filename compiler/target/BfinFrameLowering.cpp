@@ -40,22 +40,36 @@ PushList push_list(ArrayRef<CalleeSavedInfo> saved) {
   return list;
 }
 
+bool has_assembly(const MachineFunction& function) {
+  return function.hasInlineAsm() && any_of(function, [](const MachineBasicBlock& block) {
+           return any_of(block, [](const MachineInstr& inst) {
+             return inst.isInlineAsm() && *inst.getOperand(0).getSymbolName() != 0;
+           });
+         });
+}
+
+/// Whether a function's own instructions do not tell all that it changes: its callees, or its
+/// assembly, which need not say so of the I, M, B and A registers.
+bool changes_anything(const MachineFunction& function) {
+  return function.getFrameInfo().hasCalls() || has_assembly(function);
+}
+
 /// What an interrupt handler keeps beside R and P: whatever it or its callees may change, in the
 /// order of the pushes.
 SmallVector<MCPhysReg, 32> interrupt_registers(const MachineFunction& function) {
   SmallVector<MCPhysReg, 32> regs = {Bfin::ASTAT};
-  bool calls = function.getFrameInfo().hasCalls();
-  if (calls || function.getInfo<BfinMachineFunctionInfo>()->has_hardware_loops)
+  const bool anything = changes_anything(function);
+  if (anything || function.getInfo<BfinMachineFunctionInfo>()->has_hardware_loops)
     regs.append({Bfin::LB0, Bfin::LB1, Bfin::LT0, Bfin::LT1, Bfin::LC0, Bfin::LC1});
   const auto is_touched = [&](MCPhysReg reg) {
-    return calls || !function.getRegInfo().def_empty(reg);
+    return anything || !function.getRegInfo().def_empty(reg);
   };
   if (is_touched(Bfin::A0) || is_touched(Bfin::A1))
     regs.append({Bfin::A0X, Bfin::A0W, Bfin::A1X, Bfin::A1W});
   for (const MCPhysReg index : {Bfin::I0, Bfin::I1, Bfin::I2, Bfin::I3})
     if (is_touched(index))
       regs.push_back(index);
-  if (calls)
+  if (anything)
     regs.append({Bfin::M0, Bfin::M1, Bfin::M2, Bfin::M3, Bfin::B0, Bfin::B1, Bfin::B2, Bfin::B3,
                  Bfin::L0, Bfin::L1, Bfin::L2, Bfin::L3});
   return regs;
@@ -99,6 +113,8 @@ void BfinFrameLowering::determineCalleeSaves(MachineFunction& function, BitVecto
       if (i < 3)
         saved.set(Bfin::P0 + i);
     }
+  if (handler && has_assembly(function))
+    saved.set(Bfin::R3);  // clear_lengths
   // A multiple push saves everything from its lowest register upwards.
   for (auto [first, last] : {std::pair(Bfin::R4, Bfin::R7), std::pair(Bfin::P3, Bfin::P5)}) {
     bool from_here = false;
@@ -189,7 +205,8 @@ static void step_stack(MachineBasicBlock& block, MachineBasicBlock::iterator at,
   }
 }
 
-/// What is interrupted may use circular buffers; what a handler calls expects none.
+/// What is interrupted may use circular buffers; what a handler calls, or does in assembly, expects
+/// none.
 static void clear_lengths(MachineBasicBlock& block, MachineBasicBlock::iterator at,
                           const BfinInstrInfo& tii) {
   BuildMI(block, at, DebugLoc(), tii.get(Bfin::MOVI), Bfin::R3).addImm(0);
@@ -213,7 +230,7 @@ void BfinFrameLowering::emitPrologue(MachineFunction& function, MachineBasicBloc
       BuildMI(block, at, DebugLoc(), tii.get(Bfin::PUSH))
           .addReg(reg, RegState::Undef)
           .setMIFlag(MachineInstr::FrameSetup);
-    if (function.getFrameInfo().hasCalls())
+    if (changes_anything(function))
       clear_lengths(block, at, tii);
   }
   auto locals = static_cast<int64_t>(local_bytes(function));

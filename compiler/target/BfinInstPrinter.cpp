@@ -53,6 +53,27 @@ void BfinInstPrinter::printHalfOf(const MCInst* inst, unsigned index, raw_ostrea
   out << (inst->getOperand(index + 1).getImm() != 0 ? ".H" : ".L");
 }
 
+/// The register of the ring's number that `letter` names.
+static void print_of_ring(char letter, const char* ring, raw_ostream& out) {
+  out << letter << ring[1];
+}
+
+void BfinInstPrinter::printRingByStep(const MCInst* inst, unsigned index, raw_ostream& out) {
+  const char* ring = getRegisterName(inst->getOperand(index).getReg());
+  out << ring << " ++ ";
+  print_of_ring('M', ring, out);
+}
+
+void BfinInstPrinter::printRingAndStep(const MCInst* inst, unsigned index, raw_ostream& out) {
+  const char* ring = getRegisterName(inst->getOperand(index).getReg());
+  out << ring << " += ";
+  print_of_ring('M', ring, out);
+}
+
+void BfinInstPrinter::printRingLength(const MCInst* inst, unsigned index, raw_ostream& out) {
+  print_of_ring('L', getRegisterName(inst->getOperand(index).getReg()), out);
+}
+
 void BfinInstPrinter::printAddOrTake(const MCInst* inst, unsigned index, raw_ostream& out) {
   static constexpr const char* kSigns[] = {"+=", "-=", "="};
   out << kSigns[inst->getOperand(index).getImm()];

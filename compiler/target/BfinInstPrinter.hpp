@@ -25,6 +25,10 @@ class BfinInstPrinter : public MCInstPrinter {
   void printHalf(const MCInst* inst, unsigned index, raw_ostream& out);
   /// A register and which half of it: two operands.
   void printHalfOf(const MCInst* inst, unsigned index, raw_ostream& out);
+  /// A circular buffer's registers: I0 ++ M0, I0 += M0, L0.
+  void printRingByStep(const MCInst* inst, unsigned index, raw_ostream& out);
+  void printRingAndStep(const MCInst* inst, unsigned index, raw_ostream& out);
+  void printRingLength(const MCInst* inst, unsigned index, raw_ostream& out);
   void printAddOrTake(const MCInst* inst, unsigned index, raw_ostream& out);
   /// The lists of a multiple push or pop: two operands, the lowest D (8: none) and P (6: none).
   void printRegList(const MCInst* inst, unsigned index, raw_ostream& out);

@@ -26,7 +26,17 @@ BfinInstrInfo::BfinInstrInfo()
 void BfinInstrInfo::copyPhysReg(MachineBasicBlock& block, MachineBasicBlock::iterator at,
                                 const DebugLoc& loc, MCRegister to, MCRegister from,
                                 bool kill) const {
-  BuildMI(block, at, loc, get(Bfin::MOV), to).addReg(from, getKillRegState(kill));
+  if (!Bfin::RINGRegClass.contains(to)) {
+    BuildMI(block, at, loc, get(Bfin::MOV), to).addReg(from, getKillRegState(kill));
+    return;
+  }
+  // A ring goes on in one register only (BfinRings): the other's length is 0 again.
+  const TargetRegisterInfo& tri = *block.getParent()->getSubtarget().getRegisterInfo();
+  for (const unsigned part : {Bfin::sub_i, Bfin::sub_m, Bfin::sub_b, Bfin::sub_l})
+    BuildMI(block, at, loc, get(Bfin::MOV), tri.getSubReg(to, part))
+        .addReg(tri.getSubReg(from, part), RegState::Undef)
+        .addReg(from, RegState::Implicit);
+  BuildMI(block, at, loc, get(Bfin::SETLENGTH), tri.getSubReg(from, Bfin::sub_l)).addImm(0);
 }
 
 static MachineMemOperand* stack_access(MachineBasicBlock& block, int index,
@@ -99,7 +109,33 @@ void BfinInstrInfo::buildAddress(MachineBasicBlock& block, MachineBasicBlock::it
   BuildMI(block, at, loc, get(Bfin::ADDP), to).addReg(to).addReg(base);
 }
 
+/// RINGLOAD: a move to each register of the ring, the index last.
+static void load_ring(MachineInstr& inst, const BfinInstrInfo& tii, const TargetRegisterInfo& tri) {
+  MachineBasicBlock& block = *inst.getParent();
+  const auto part = [&](unsigned index) {
+    return tri.getSubReg(inst.getOperand(0).getReg(), index);
+  };
+  const auto set = [&](unsigned opcode, unsigned operand, MCRegister to) {
+    const MachineOperand& from = inst.getOperand(operand);
+    if (from.getReg().isValid())
+      BuildMI(block, inst, inst.getDebugLoc(), tii.get(Bfin::MOV), to).addReg(from.getReg());
+    else
+      BuildMI(block, inst, inst.getDebugLoc(), tii.get(opcode), to)
+          .addImm(inst.getOperand(operand + 1).getImm());
+  };
+  set(Bfin::SETLENGTH, 3, part(Bfin::sub_l));
+  if (inst.getOperand(5).getReg().isValid() || inst.getOperand(6).getImm() != 0)
+    set(Bfin::SETSTEP, 5, part(Bfin::sub_m));
+  set(Bfin::MOV, 2, part(Bfin::sub_b));
+  set(Bfin::MOV, 1, part(Bfin::sub_i));
+  inst.eraseFromParent();
+}
+
 bool BfinInstrInfo::expandPostRAPseudo(MachineInstr& inst) const {
+  if (inst.getOpcode() == Bfin::RINGLOAD) {
+    load_ring(inst, *this, *inst.getMF()->getSubtarget().getRegisterInfo());
+    return true;
+  }
   if (inst.getOpcode() != Bfin::LI32 && inst.getOpcode() != Bfin::LDSYM)
     return expandSequence(inst);
   MachineBasicBlock& block = *inst.getParent();

@@ -460,3 +460,4 @@ let hasSideEffects = true, mayLoad = true, mayStore = true in {
 }
 
 include "BfinFract.td"
+include "BfinRings.td"

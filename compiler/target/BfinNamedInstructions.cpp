@@ -16,6 +16,8 @@ constexpr StringRef kPrefix = "__builtin_bfin_";
 constexpr auto kNode = BfinNamedInstruction::Kind::node;
 constexpr auto kCompute = BfinNamedInstruction::Kind::compute;
 constexpr auto kInternal = BfinNamedInstruction::Kind::internal;
+constexpr auto kRing = BfinNamedInstruction::Kind::ring;
+constexpr auto kCircular = BfinNamedInstruction::Kind::circular;
 constexpr auto kSystem = BfinNamedInstruction::Kind::system;
 
 constexpr BfinNamedInstruction kTable[] = {
@@ -26,6 +28,12 @@ constexpr BfinNamedInstruction kTable[] = {
     {"mul_low", "i:ii", kInternal, BfinISD::MULLOW},
     {"set_low", "i:ii", kInternal, BfinISD::SETLO},
     {"set_high", "i:ii", kInternal, BfinISD::SETHI},
+    {"ring_begin", "p:ppii", kRing, Bfin::RINGBEGIN},
+    {"ring_next", "p:p", kRing, Bfin::RINGNEXT},
+    {"ring_done", "p:p", kRing, Bfin::RINGDONE},
+    // Circular counting.
+    {"circindex", "i:iii", kCircular, 0},
+    {"circptr", "p:pipi", kCircular, 0},
     // The system.
     {"csync", "v:", kSystem, Bfin::CSYNC},
     {"ssync", "v:", kSystem, Bfin::SSYNC},
@@ -197,7 +205,7 @@ bool isNamedInstruction(const Function* function) {
 std::string problemOfNamedInstruction(const CallBase& call) {
   const StringRef name = call.getCalledFunction()->getName();
   const BfinNamedInstruction* instruction = findNamedInstruction(name);
-  if (instruction == nullptr || instruction->kind == kInternal)
+  if (instruction == nullptr || instruction->kind == kInternal || instruction->kind == kRing)
     return ("there is no instruction behind " + name).str();
   if (!has_types(*call.getFunctionType(), instruction->types))
     return (name + " is declared with other types than finback's headers have").str();
@@ -219,7 +227,7 @@ void describeNamedInstructions(Module& module) {
     if (instruction == nullptr)
       continue;
     function.setDoesNotThrow();
-    if (instruction->kind == kSystem)
+    if (instruction->kind == kSystem || instruction->kind == kRing)
       continue;
     function.setDoesNotAccessMemory();
     function.setWillReturn();

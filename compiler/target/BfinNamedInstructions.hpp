@@ -13,6 +13,8 @@ struct BfinNamedInstruction {
   enum class Kind : uint8_t {
     node,      ///< `opcode` is a node that selection knows anyway
     internal,  ///< the same, for the middle end's passes alone
+    ring,      ///< `opcode` is a step of a circular buffer's life, for the middle end's pass alone
+    circular,  ///< CircularBuffers leaves none
     compute,   ///< `opcode` is an instruction that only computes
     system,    ///< `opcode` is an instruction that is ordered with all accesses of memory
   };

@@ -218,6 +218,9 @@ bool lowerNamedInstruction(StringRef name, TargetLowering::CallLoweringInfo& cal
     case BfinNamedInstruction::Kind::compute:
       lower_computation(*instruction, arguments, call, values);
       break;
+    case BfinNamedInstruction::Kind::circular:
+      return false;
+    case BfinNamedInstruction::Kind::ring:
     case BfinNamedInstruction::Kind::system:
       lower_action(*instruction, arguments, call, values, chain);
       break;

@@ -29,7 +29,9 @@ const uint32_t* BfinRegisterInfo::getCallPreservedMask(const MachineFunction&,
 BitVector BfinRegisterInfo::getReservedRegs(const MachineFunction&) const {
   BitVector reserved(getNumRegs());
   reserved.set();
-  for (const TargetRegisterClass* rc : {&Bfin::DRegClass, &Bfin::PRegClass, &Bfin::IRRegClass})
+  for (const TargetRegisterClass* rc :
+       {&Bfin::DRegClass, &Bfin::PRegClass, &Bfin::IRRegClass, &Bfin::MRRegClass, &Bfin::BRRegClass,
+        &Bfin::LRRegClass, &Bfin::RINGRegClass})
     for (MCPhysReg reg : *rc)
       reserved.reset(reg);
   reserved.set(Bfin::SP);

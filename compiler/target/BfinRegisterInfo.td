@@ -16,6 +16,18 @@ foreach i = 0 - 3 in {
   def B #i : BfinReg<"B" #i>;
   def L#i : BfinReg<"L" #i>;
 }
+// What a circular buffer takes, as one register: printed as its index register.
+let Namespace = "Bfin" in {
+  def sub_i : SubRegIndex<32, 0>;
+  def sub_m : SubRegIndex<32, 32>;
+  def sub_b : SubRegIndex<32, 64>;
+  def sub_l : SubRegIndex<32, 96>;
+}
+foreach i = 0 - 3 in {
+  let Namespace = "Bfin", SubRegIndices = [sub_i, sub_m, sub_b, sub_l], CoveredBySubRegs = true in
+  def RING #i : RegisterWithSubRegs<"I" #i, [!cast<Register>("I" #i), !cast<Register>("M" #i),
+                                             !cast<Register>("B" #i), !cast<Register>("L" #i)]>;
+}
 foreach i = 0 - 1 in {
   def A #i : BfinReg<"A" #i>;
   def A #i #W : BfinReg<"A" #i #".W">;
@@ -40,11 +52,15 @@ def P : RegisterClass<"Bfin", [i32], 32, (add P0, P1, P2, P5, P4, P3, SP, FP)>;
 def DP : RegisterClass<"Bfin", [i32], 32, (add D, P)>;
 def IR : RegisterClass<"Bfin", [i32], 32, (add I0, I1, I2, I3)>;
 def MR : RegisterClass<"Bfin", [i32], 32, (add M0, M1, M2, M3)>;
+def BR : RegisterClass<"Bfin", [i32], 32, (add B0, B1, B2, B3)>;
+def LR : RegisterClass<"Bfin", [i32], 32, (add L0, L1, L2, L3)>;
+// From the top: instructions on bytes want I0 and I1.
+def RING : RegisterClass<"Bfin", [untyped], 32, (add RING3, RING2, RING1, RING0)> { let Size = 128; }
 
 let isAllocatable = false in {
   def CCR : RegisterClass<"Bfin", [i32], 32, (add CC)>;
   def SYS : RegisterClass<"Bfin", [i32], 32,
-                          (add B0, B1, B2, B3, L0, L1, L2, L3, A0, A1, A0W, A0X, A1W, A1X, LC0, LC1,
+                          (add BR, LR, A0, A1, A0W, A0X, A1W, A1X, LC0, LC1,
                            LT0, LT1, LB0, LB1, ASTAT, RETS, RETI)>;
   def ANY : RegisterClass<"Bfin", [i32], 32, (add DP, IR, MR, SYS)>;
 }

@@ -46,7 +46,10 @@ unsigned BfinSubtarget::latency(const MachineInstr& def, unsigned def_operand,
   const bool pointer = in_class(result, Bfin::PRegClass, regs);
   if (pointer && def_operand == 0 && def.mayLoad())
     return kPointerLoadLatency;
-  const bool address = pointer || in_class(result, Bfin::IRRegClass, regs);
+  const bool address = pointer || in_class(result, Bfin::IRRegClass, regs) ||
+                       in_class(result, Bfin::MRRegClass, regs) ||
+                       in_class(result, Bfin::BRRegClass, regs) ||
+                       in_class(result, Bfin::LRRegClass, regs);
   if (address && (def.isCopy() || def.getOpcode() == Bfin::MOV) &&
       in_class(def.getOperand(1), Bfin::DRegClass, regs))
     return kDataToPointerLatency;

@@ -75,6 +75,7 @@ class BfinPassConfig : public TargetPassConfig {
   }
 
   void addMachineSSAOptimization() override {
+    addPass(createBfinRings());
     addPass(createBfinHardwareLoops());
     addPass(createBfinAccumulators());
     addPass(createBfinStrides());
