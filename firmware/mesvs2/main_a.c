@@ -45,6 +45,13 @@ static void read_settings(void) {
     host_print(line);
     host_exit(2);
   }
+  if (!settings_range_fits()) {
+    host_print(
+        "settings in flash: from disparity_min to disparity_max must be 2 disparities or more, and "
+        "no "
+        "more than were built\n");
+    host_exit(2);
+  }
 }
 
 int main(void) {

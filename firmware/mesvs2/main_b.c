@@ -4,6 +4,7 @@
 #include <host_port.h>
 #include <memory_dma.h>
 
+#include "geometry.h"
 #include "matching.h"
 #include "pipeline.h"
 #include "postprocess.h"
@@ -74,6 +75,7 @@ __attribute__((noinline)) void publish_map(unsigned frame_number) {
 int main(void) {
   int slot = 0;
 
+  geometry_start();
   memory_dma_start(CORE_B);
   core_interrupt_start(CORE_B);
   events_enable();

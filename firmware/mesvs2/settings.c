@@ -1,12 +1,18 @@
 #include "settings.h"
 
+#include "stereo_config.h"
+
 static const struct {
   const char* name;
   uint32_t* number;
+  uint32_t least;
   uint32_t most;
-} known[] = {{"lrc_threshold", &stereo_settings.lrc_threshold, 255},
-             {"texture_threshold", &stereo_settings.texture_threshold, 65025},
-             {"disparity_threshold", &stereo_settings.disparity_threshold, 65025}};
+} known[] = {{"window", &stereo_settings.window, 3, WINDOW},
+             {"disparity_min", &stereo_settings.disparity_min, 1, HIGHEST_DISPARITY_MIN},
+             {"disparity_max", &stereo_settings.disparity_max, 2, 255},
+             {"lrc_threshold", &stereo_settings.lrc_threshold, 0, 255},
+             {"texture_threshold", &stereo_settings.texture_threshold, 0, 65025},
+             {"disparity_threshold", &stereo_settings.disparity_threshold, 0, 65025}};
 
 /* What follows `name` and a space; 0 where the text is another. */
 static const char* behind_name(const char* text, const char* name) {
@@ -42,12 +48,18 @@ int settings_read(const char* text) {
       const char* number = behind_name(text, known[i].name);
       if (number != 0) {
         next = read_number(number, known[i].most, known[i].number);
+        next = *known[i].number < known[i].least ? 0 : next;
       }
     }
-    if (next == 0) {
+    if (next == 0 || stereo_settings.window % 2 == 0) {
       return line;
     }
     text = next;
   }
   return 0;
+}
+
+int settings_range_fits(void) {
+  return stereo_settings.disparity_max > stereo_settings.disparity_min &&
+         stereo_settings.disparity_max - stereo_settings.disparity_min < DISPARITY_COUNT;
 }

@@ -9,6 +9,7 @@ _Alignas(4) uint8_t hand_over_right[SLOT_COUNT][MAP_PIXELS];
 uint32_t hand_over_plain[SLOT_COUNT][MAP_HEIGHT][FLAG_WORDS];
 uint32_t hand_over_frame[SLOT_COUNT];
 struct pipeline pipeline;
-struct settings stereo_settings = {LRC_THRESHOLD, TEXTURE_THRESHOLD, DISPARITY_THRESHOLD};
+struct settings stereo_settings = {WINDOW,        DISPARITY_MIN,     DISPARITY_MAX,
+                                   LRC_THRESHOLD, TEXTURE_THRESHOLD, DISPARITY_THRESHOLD};
 
 _Alignas(4) uint8_t disparity_map[MAP_PIXELS];

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "geometry.h"
+
 #if !SHD_PACKED
 
 _Static_assert((uint64_t)WINDOW* WINDOW* MOST_DISTANCE < 1ull << (31 - KEY_BITS) &&
@@ -43,7 +45,7 @@ typedef uint32_t shd_score;
 typedef uint16_t shd_score;
 #endif
 
-shd_score shd_scores[COLUMN_COUNT * DISPARITY_COUNT]; /* S: [x - FIRST_COLUMN][d] */
+shd_score shd_scores[MOST_COLUMNS * DISPARITY_COUNT]; /* S: [column][d] */
 shd_score shd_update[DISPARITY_COUNT];                /* U: [d] */
 shd_score shd_modular[WINDOW * DISPARITY_COUNT];      /* M: [x mod WINDOW][d] */
 uint16_t left_pairs[MAP_WIDTH];                       /* [x] */
@@ -70,18 +72,20 @@ __attribute__((noinline)) void shd_pair_rows(const uint8_t* left_entering,
   pair_row(right_entering, right_leaving, 0, right_pairs + PAIR_MARGIN);
 }
 
-/* Begins U and M anew and takes in the row's first WINDOW - 1 columns. */
+/* Begins U and M anew and takes in the row's columns before the first window is complete. */
 __attribute__((noinline)) static void shd_start_row(void) {
+  int window = geometry.window;
+  int count = geometry.disparity_count;
   shd_score* restrict modular = shd_modular;
-  const uint16_t* left = left_pairs + DISPARITY_MIN;
+  const uint16_t* left = left_pairs + geometry.disparity_min;
   const uint16_t* right_of_column = right_pairs + PAIR_MARGIN;
 
   memset(shd_update, 0, sizeof shd_update);
-  for (int i = 0; i < WINDOW - 1; ++i) {
+  for (int i = 0; i < window - 1; ++i) {
     const uint16_t* right = right_of_column++;
     shd_score* restrict update = shd_update;
     unsigned left_pair = *left++;
-    for (int k = 0; k < DISPARITY_COUNT; ++k) {
+    for (int k = 0; k < count; ++k) {
       unsigned newest = newest_of(left_pair, *right--);
       *modular++ = (shd_score)newest;
       *update = (shd_score)(*update + newest - BIAS);
@@ -89,23 +93,26 @@ __attribute__((noinline)) static void shd_start_row(void) {
     }
   }
   /* The first window lacks nothing on its left: what it drops is nothing. */
-  for (int k = 0; k < DISPARITY_COUNT; ++k) {
+  for (int k = 0; k < count; ++k) {
     *modular++ = BIAS;
   }
 }
 
 /* Takes in the other columns: updates the scores of all columns and disparities. */
 __attribute__((noinline)) static void shd_update_row(void) {
+  int window = geometry.window;
+  int count = geometry.disparity_count;
+  int columns = geometry.columns;
   shd_score* restrict score = shd_scores;
-  shd_score* restrict oldest = shd_modular + (WINDOW - 1) * DISPARITY_COUNT;
-  const uint16_t* left = left_pairs + FIRST_COLUMN + HALF_WINDOW;
-  const uint16_t* right_of_column = right_pairs + PAIR_MARGIN + WINDOW - 1;
+  shd_score* restrict oldest = shd_modular + (window - 1) * count;
+  const uint16_t* left = left_pairs + geometry.first_column + geometry.half_window;
+  const uint16_t* right_of_column = right_pairs + PAIR_MARGIN + window - 1;
 
-  for (int i = 0; i < COLUMN_COUNT; ++i) {
+  for (int i = 0; i < columns; ++i) {
     const uint16_t* right = right_of_column++;
     shd_score* restrict update = shd_update;
     unsigned left_pair = *left++;
-    for (int k = 0; k < DISPARITY_COUNT; ++k) {
+    for (int k = 0; k < count; ++k) {
       unsigned newest = newest_of(left_pair, *right--);
       unsigned sum = *update + newest - *oldest;
       *oldest++ = (shd_score)newest;
@@ -113,7 +120,7 @@ __attribute__((noinline)) static void shd_update_row(void) {
       *score = (shd_score)(*score + sum);
       ++score;
     }
-    if (oldest == shd_modular + WINDOW * DISPARITY_COUNT) {
+    if (oldest == shd_modular + window * count) {
       oldest = shd_modular;
     }
   }
@@ -125,15 +132,17 @@ void shd_enter_row(void) {
 }
 
 __attribute__((noinline)) void shd_select_row(void) {
+  int count = geometry.disparity_count;
+  int columns = geometry.columns;
   const shd_score* column_scores = shd_scores;
-  uint8_t* left_winner = left_winners + FIRST_COLUMN;
-  int32_t* right_key_of_column = right_keys + FIRST_COLUMN - DISPARITY_MIN;
+  uint8_t* left_winner = left_winners + geometry.first_column;
+  int32_t* right_key_of_column = right_keys + geometry.half_window;
   int candidates = 1;
 
   for (int x = 0; x < MAP_WIDTH; ++x) {
     right_keys[x] = INT32_MAX;
   }
-  for (int i = 0; i < COLUMN_COUNT; ++i) {
+  for (int i = 0; i < columns; ++i) {
     const shd_score* restrict score = column_scores;
     int32_t* restrict right_key = right_key_of_column++;
     int32_t best = INT32_MAX;
@@ -144,9 +153,9 @@ __attribute__((noinline)) void shd_select_row(void) {
       *right_key-- = key < right_best ? key : right_best;
     }
     *left_winner++ = (uint8_t)(best & KEY_MASK);
-    column_scores += DISPARITY_COUNT;
+    column_scores += count;
     /* A column further to the right has one more right window inside the image. */
-    if (candidates < DISPARITY_COUNT) {
+    if (candidates < count) {
       ++candidates;
     }
   }

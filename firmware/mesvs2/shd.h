@@ -30,18 +30,18 @@
 /* Two kernels compute the same: by hand and two disparities at a time (shd_packed.c, with
  * shd_passes.bir), where that is possible; in C for all others and for other computers (shd.c). */
 #if defined(__FINBACK__) && MEASURE_BY_BITS && WINDOW >= 3 && WINDOW <= 15 && \
-    DISPARITY_COUNT >= 3 && DISPARITY_COUNT <= 32
+    DISPARITY_COUNT >= 2 && DISPARITY_COUNT <= 32
 #define SHD_PACKED 1
 #else
 #define SHD_PACKED 0
 #endif
 
-/* A key is score << KEY_BITS | (d - DISPARITY_MIN): the least key has the least score and, among
- * equal ones, the least disparity. */
+/* A key is score << KEY_BITS | the index of the disparity: the least key has the least score and,
+ * among equal ones, the least disparity. */
 #define KEY_BITS (SHD_PACKED || MOST_DISTANCE > 255 ? 5 : 8)
 #define KEY_MASK ((1 << KEY_BITS) - 1)
 
-extern uint8_t left_winners[MAP_WIDTH];  /* d - DISPARITY_MIN of the winner of each left pixel */
+extern uint8_t left_winners[MAP_WIDTH];  /* index of the winning disparity of each left pixel */
 extern uint8_t right_winners[MAP_WIDTH]; /* and of each right one */
 extern const uint8_t shd_zero_row[MAP_WIDTH];
 

@@ -16,12 +16,12 @@
  * pairs of disparities meet the right columns in pairs that begin at even or at odd ones. */
 #include <string.h>
 
+#include "geometry.h"
 #include "shd.h"
 
 #if SHD_PACKED
 
-#define PASS_COUNT ((DISPARITY_COUNT + 1) / 2)
-#define ODD_DISPARITY (DISPARITY_COUNT % 2)
+#define MOST_PASSES ((DISPARITY_COUNT + 1) / 2)
 #define NO_KEY 0x7FFF
 #define KEY_OF_NOTHING 0x8000u /* the score 0 of the first disparity */
 #define WEIGHT 32
@@ -29,11 +29,11 @@
 
 _Static_assert(KEY_BITS == 5 && DISPARITY_COUNT <= WEIGHT, "a disparity's index fits a key");
 _Static_assert(WINDOW* WINDOW * 8 * WEIGHT + TOO_HIGH + WEIGHT < 65535, "a key fits 16 bits");
-_Static_assert(COLUMN_COUNT > 2 * DISPARITY_COUNT, "every pass has columns");
+_Static_assert(MAP_WIDTH - WINDOW - HIGHEST_DISPARITY_MIN > 2 * DISPARITY_COUNT,
+               "every pass has columns");
 
-/* Columns of a pass: from where its first disparity is a candidate. */
-#define COLUMNS_OF_PASS(pass) (COLUMN_COUNT - 2 * (pass))
-#define SCORE_WORDS (PASS_COUNT * (COLUMN_COUNT - PASS_COUNT + 1))
+/* A pass begins at the column from which its first disparity is a candidate. */
+#define SCORE_WORDS (MOST_PASSES * (MOST_COLUMNS - MOST_PASSES + 1))
 
 /* As shd_passes.bir reads them. */
 struct shd_pass {
@@ -63,42 +63,47 @@ const uint8_t shd_zero_row[MAP_WIDTH];
 
 /* Keys of two disparities, a pass behind the other, a column behind the other. */
 uint32_t shd_scores[SCORE_WORDS];
-uint32_t shd_left_best[COLUMN_COUNT];
-uint32_t shd_even_best[COLUMN_COUNT / 2 + 1];
-uint32_t shd_odd_best[1 + COLUMN_COUNT / 2 + 1];
+uint32_t shd_left_best[MOST_COLUMNS];
+uint32_t shd_even_best[MOST_COLUMNS / 2 + 1];
+uint32_t shd_odd_best[1 + MOST_COLUMNS / 2 + 1];
 
 /* Entering and leaving code of each column, the leaving one inverted on the left. The left columns
- * begin so that DISPARITY_MIN lies at a word; the right ones with two that do not exist: 0. */
-#define LEFT_SHIFT (DISPARITY_MIN % 2)
+ * begin so that the least disparity lies at a word; the right ones with two that do not exist: 0.
+ */
 #define RIGHT_SHIFT 2
-_Alignas(4) uint16_t shd_left_halves[LEFT_SHIFT + MAP_WIDTH + 3];
+_Alignas(4) uint16_t shd_left_halves[1 + MAP_WIDTH + 3];
 _Alignas(4) uint16_t shd_right_halves[RIGHT_SHIFT + MAP_WIDTH];
 _Alignas(4) uint16_t shd_right_start[WINDOW + 1]; /* from column -1 on */
 /* With the column that leaves in the high half; on the right from the column on that the second
  * disparity of the first column meets. The kernel reads ahead, from both at once: aligned so that
  * the two never want the same half of a sub-bank. */
-_Alignas(8) uint32_t shd_left_words[COLUMN_COUNT + 2];
-_Alignas(8) uint32_t shd_right_words[1 + COLUMN_COUNT + 2];
+_Alignas(8) uint32_t shd_left_words[MOST_COLUMNS + 2];
+_Alignas(8) uint32_t shd_right_words[1 + MOST_COLUMNS + 2];
 
-static struct shd_pass passes[PASS_COUNT];
+static struct shd_pass passes[MOST_PASSES];
 static unsigned even_row;
 
+static int left_shift(void) { return geometry.disparity_min % 2; }
+static int pass_count(void) { return (geometry.disparity_count + 1) / 2; }
+
 static void describe_passes(void) {
-  for (int i = 0; i < PASS_COUNT; ++i) {
-    passes[i].start = shd_left_halves + LEFT_SHIFT + DISPARITY_MIN + 2 * i - 1;
+  for (int i = 0; i < pass_count(); ++i) {
+    int columns = geometry.columns - 2 * i;
+    passes[i].start = shd_left_halves + left_shift() + geometry.disparity_min + 2 * i - 1;
     passes[i].left_best = shd_left_best + 2 * i;
     passes[i].left_words = shd_left_words + 2 * i;
-    passes[i].column_pairs = COLUMNS_OF_PASS(i) / 2;
-    passes[i].column_alone = COLUMNS_OF_PASS(i) % 2;
+    passes[i].column_pairs = columns / 2;
+    passes[i].column_alone = columns % 2;
   }
 }
 
 __attribute__((noinline)) void shd_start_frame(void) {
   uint32_t* score = shd_scores;
   describe_passes();
-  for (unsigned k = 0; k < DISPARITY_COUNT; k += 2) {
-    uint32_t second = k + 1 < DISPARITY_COUNT ? KEY_OF_NOTHING + k + 1 : NO_KEY;
-    for (unsigned i = k; i < COLUMN_COUNT; ++i) {
+  unsigned count = (unsigned)geometry.disparity_count;
+  for (unsigned k = 0; k < count; k += 2) {
+    uint32_t second = k + 1 < count ? KEY_OF_NOTHING + k + 1 : NO_KEY;
+    for (unsigned i = k; i < (unsigned)geometry.columns; ++i) {
       *score++ = (KEY_OF_NOTHING + k) | second << 16;
     }
   }
@@ -112,11 +117,11 @@ static void join_halves(const uint8_t* restrict entering, const uint8_t* restric
   }
 }
 
-/* Column i and the one that leaves when it enters, WINDOW before; `turn` inverts every other one.
+/* Column i and the one that leaves when it enters, a window before; `turn` inverts every other one.
  */
 static void join_words(const uint16_t* halves, unsigned inversion, unsigned turn, int count,
                        uint32_t* restrict words) {
-  const uint16_t* leaving = halves - WINDOW;
+  const uint16_t* leaving = halves - geometry.window;
   for (int i = 0; i < count; ++i) {
     *words++ = (uint32_t)(*halves++ | *leaving++ << 16) ^ inversion;
     inversion ^= turn;
@@ -128,12 +133,14 @@ __attribute__((noinline)) void shd_pair_rows(const uint8_t* left_entering,
                                              const uint8_t* right_entering,
                                              const uint8_t* right_leaving) {
   even_row ^= 1;
-  join_halves(left_entering, left_leaving, 0xFF, shd_left_halves + LEFT_SHIFT);
+  join_halves(left_entering, left_leaving, 0xFF, shd_left_halves + left_shift());
   join_halves(right_entering, right_leaving, 0, shd_right_halves + RIGHT_SHIFT);
-  join_words(shd_left_halves + LEFT_SHIFT + FIRST_COLUMN + HALF_WINDOW,
-             0xFFFF0000u ^ (even_row ? 0 : ~0u), ~0u, COLUMN_COUNT, shd_left_words);
-  join_words(shd_right_halves + RIGHT_SHIFT + WINDOW - 2, 0, 0, COLUMN_COUNT + 1, shd_right_words);
-  memcpy(shd_right_start, shd_right_halves + RIGHT_SHIFT - 1, (WINDOW - 1) * sizeof(uint16_t));
+  join_words(shd_left_halves + left_shift() + geometry.first_column + geometry.half_window,
+             0xFFFF0000u ^ (even_row ? 0 : ~0u), ~0u, geometry.columns, shd_left_words);
+  join_words(shd_right_halves + RIGHT_SHIFT + geometry.window - 2, 0, 0, geometry.columns + 1,
+             shd_right_words);
+  memcpy(shd_right_start, shd_right_halves + RIGHT_SHIFT - 1,
+         (unsigned)(geometry.window - 1) * sizeof(uint16_t));
 }
 
 static void forget_winners(uint32_t* best, int count) {
@@ -151,14 +158,14 @@ __attribute__((noinline)) void shd_enter_row(void) {
       shd_right_halves + RIGHT_SHIFT,
       shd_right_start,
       even_row ? 0x10000u * (0x10000u - WEIGHT) + WEIGHT : 0x10000u * WEIGHT + (0x10000u - WEIGHT),
-      (WINDOW - 1) / 2,
-      8 * WINDOW};
-  forget_winners(shd_left_best, COLUMN_COUNT);
-  forget_winners(shd_even_best, COLUMN_COUNT / 2 + 1);
-  forget_winners(shd_odd_best, 1 + COLUMN_COUNT / 2 + 1);
-  shd_update_row(passes, PASS_COUNT - ODD_DISPARITY, &row);
-  if (ODD_DISPARITY) {
-    shd_update_last(&passes[PASS_COUNT - 1], &row);
+      (geometry.window - 1) / 2,
+      8 * geometry.window};
+  forget_winners(shd_left_best, geometry.columns);
+  forget_winners(shd_even_best, geometry.columns / 2 + 1);
+  forget_winners(shd_odd_best, 1 + geometry.columns / 2 + 1);
+  shd_update_row(passes, geometry.disparity_count / 2, &row);
+  if (geometry.disparity_count % 2 == 1) {
+    shd_update_last(&passes[pass_count() - 1], &row);
   }
 }
 
@@ -171,22 +178,23 @@ static uint8_t winner(int a, int b) { return (uint8_t)((a < b ? a : b) & KEY_MAS
  */
 __attribute__((noinline)) void shd_select_row(void) {
   const uint32_t* restrict pair = shd_left_best;
-  uint8_t* restrict left = left_winners + FIRST_COLUMN;
+  uint8_t* restrict left = left_winners + geometry.first_column;
   const uint32_t* restrict even = shd_even_best;
   const uint32_t* restrict odd = shd_odd_best + 1;
-  uint8_t* restrict right = right_winners + FIRST_COLUMN - DISPARITY_MIN;
+  uint8_t* restrict right = right_winners + geometry.half_window;
+  int columns = geometry.columns;
   int too_high = even_row ? TOO_HIGH : 0;
 
-  for (int i = 0; i < COLUMN_COUNT; ++i) {
+  for (int i = 0; i < columns; ++i) {
     uint32_t keys = *pair++;
     *left++ = winner(first_key(keys), second_key(keys));
   }
-  for (int i = 0; i < COLUMN_COUNT / 2; ++i) {
+  for (int i = 0; i < columns / 2; ++i) {
     uint32_t odd_keys = *odd++;
     *right++ = winner(first_key(*even++) - too_high, second_key(odd_keys));
     *right++ = winner(first_key(odd_keys), second_key(*even) - too_high);
   }
-  if (COLUMN_COUNT % 2 == 1) {
+  if (columns % 2 == 1) {
     *right = (uint8_t)(first_key(*even) & KEY_MASK);
   }
 }

@@ -29,7 +29,7 @@
 #endif
 
 #ifndef WINDOW
-#define WINDOW 15 /* side of the matching window, odd */
+#define WINDOW 15 /* largest side of the matching window, odd */
 #endif
 #ifndef DISPARITY_MIN
 #define DISPARITY_MIN 5 /* at least 1: 0 marks invalid pixels */
@@ -64,12 +64,12 @@
 #define MAP_HEIGHT (CAMERA_HEIGHT / SUBSAMPLING)
 #define MAP_PIXELS (MAP_WIDTH * MAP_HEIGHT)
 
-#define HALF_WINDOW (WINDOW / 2)
+/* There is memory for the window and so many disparities as said above. Settings may ask for
+ * smaller windows, fewer disparities and others (geometry.h): as far as this, so that columns are
+ * left. */
 #define DISPARITY_COUNT (DISPARITY_MAX - DISPARITY_MIN + 1)
-
-/* Left columns that have at least one candidate: both windows wholly inside the images. */
-#define FIRST_COLUMN (DISPARITY_MIN + HALF_WINDOW)
-#define LAST_COLUMN (MAP_WIDTH - 1 - HALF_WINDOW)
-#define COLUMN_COUNT (LAST_COLUMN - FIRST_COLUMN + 1)
+#define HIGHEST_DISPARITY_MIN (DISPARITY_MIN > MAP_WIDTH / 4 ? DISPARITY_MIN : MAP_WIDTH / 4)
+#define MOST_COLUMNS (MAP_WIDTH - 1) /* that have a candidate: with a window of 1 and disparity 1 \
+                                      */
 
 #endif

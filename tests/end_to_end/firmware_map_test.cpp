@@ -1,5 +1,6 @@
 // The maps of MESVS-II and MESVS-I, computed by compiled C on two simulated cores, are the
 // reference's in every pixel.
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
@@ -69,7 +70,21 @@ TEST(FirmwareMap, SettingsInFlashAreHeld) {
                   .maps.at(0)
                   .bytes == expected.pixels());
   EXPECT_NE(expected.pixels(), reference_map(scene));
-  EXPECT_THROW((void)run_with("lrc_threshold 0\nwindow 9\n"), GuestFault);
+  EXPECT_THROW((void)run_with("lrc_threshold 0\nwindows 9\n"), GuestFault);
+
+  // Both parities of the range's beginning and of its length, an odd one by the kernel for one.
+  for (const auto& [window, least, most] :
+       {std::array{9, 1, 31}, std::array{3, 6, 9}, std::array{13, 40, 66}, std::array{5, 2, 20}}) {
+    SCOPED_TRACE(fmt::format("window {}, disparities {} to {}", window, least, most));
+    const scenes::ByteImage other = stereo_reference::disparity_map(
+        left, stereo_reference::subsample_by_4(scene.right), {window, least, most}, 1);
+    EXPECT_TRUE(run_with(fmt::format("window {}\ndisparity_min {}\ndisparity_max {}\n", window,
+                                     least, most))
+                    .maps.at(0)
+                    .bytes == stereo_reference::post_process(other, left).pixels());
+  }
+  EXPECT_THROW((void)run_with("disparity_max 36\n"), GuestFault) << "32 disparities";
+  EXPECT_THROW((void)run_with("window 8\n"), GuestFault);
 }
 
 #ifdef FINBACK_QVGA

@@ -12,6 +12,7 @@
 #include <stereo_reference/texture.hpp>
 
 extern "C" {
+#include "geometry.h"
 #include "matching.h"
 #include "postprocess.h"
 #include "prepare.h"
@@ -28,7 +29,10 @@ namespace {
 namespace fs = std::filesystem;
 using scenes::ByteImage;
 
-const stereo_reference::MatchParameters kParameters{WINDOW, DISPARITY_MIN, DISPARITY_MAX};
+stereo_reference::MatchParameters parameters() {
+  return {static_cast<int>(stereo_settings.window), static_cast<int>(stereo_settings.disparity_min),
+          static_cast<int>(stereo_settings.disparity_max)};
+}
 
 // The reference's codes and measure of this configuration.
 stereo_reference::WordImage codes(const ByteImage& image) {
@@ -88,6 +92,7 @@ ByteImage firmware_codes(const ByteImage& picture, bool is_left) {
 
 // The map of a rectified pair.
 ByteImage firmware_map(const ByteImage& left_picture, const ByteImage& right_picture) {
+  geometry_start();
   const ByteImage left = firmware_codes(left_picture, true);
   const ByteImage right = firmware_codes(right_picture, false);
   ByteImage map(MAP_WIDTH, MAP_HEIGHT, 255);
@@ -105,7 +110,7 @@ void expect_equal(const ByteImage& left, const ByteImage& right) {
   const ByteImage map = firmware_map(left, right);
   const ByteImage truth = stereo_reference::post_process(
       stereo_reference::check_left_right(
-          stereo_reference::match_by(measure(), codes(left), codes(right), kParameters),
+          stereo_reference::match_by(measure(), codes(left), codes(right), parameters()),
           static_cast<int>(stereo_settings.lrc_threshold)),
       left,
       {VARIANCE_WINDOW, static_cast<double>(stereo_settings.texture_threshold),
@@ -205,15 +210,38 @@ TEST(FirmwareKernels, SettingsAreReadAndHeld) {
   stereo_settings = before;
 }
 
+#if WINDOW >= 5 && DISPARITY_MAX > DISPARITY_MIN + 3
+TEST(FirmwareKernels, SmallerWindowsAndOtherDisparitiesEqualTheReference) {
+  const struct settings before = stereo_settings;
+  std::mt19937 generator(27);
+  EXPECT_EQ(settings_read("window 5\ndisparity_min 2\ndisparity_max 5\n"), 0);
+  EXPECT_TRUE(settings_range_fits());
+  expect_equal(random_image(generator, 20), random_image(generator, 20));
+  EXPECT_EQ(settings_read("window 3\ndisparity_min 12\ndisparity_max 13\n"), 0);
+  expect_equal(random_image(generator, 20), random_image(generator, 20));
+  stereo_settings = before;
+}
+#endif
+
+TEST(FirmwareKernels, RangesThatDoNotFitAreRefused) {
+  const struct settings before = stereo_settings;
+  stereo_settings.disparity_max = stereo_settings.disparity_min;
+  EXPECT_FALSE(settings_range_fits());
+  stereo_settings.disparity_max = stereo_settings.disparity_min + DISPARITY_COUNT;
+  EXPECT_FALSE(settings_range_fits());
+  stereo_settings = before;
+}
+
 TEST(FirmwareKernels, SettingsThatAreNoneAreRefused) {
   const struct settings before = stereo_settings;
   for (const char* text :
        {"texture_threshold 65026\n", "lrc_threshold 256\n", "lrc_threshold 4294967297\n",
         "lrc_threshold \n", "lrc_threshold 1", "lrc_threshold 1 \n", "lrc_threshold\n", "lrc 1\n",
-        " \n", "lrc_threshold -1\n"}) {
+        " \n", "lrc_threshold -1\n", "window 4\n", "window 99\n", "window 1\n", "disparity_min 0\n",
+        "disparity_max 256\n"}) {
     EXPECT_EQ(settings_read(text), 1) << text;
   }
-  EXPECT_EQ(settings_read("lrc_threshold 2\nwindow 9\n"), 2);
+  EXPECT_EQ(settings_read("lrc_threshold 2\nwindows 9\n"), 2);
   stereo_settings = before;
 }
 
