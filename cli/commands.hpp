@@ -31,6 +31,7 @@ void add_check_command(CLI::App& app, Action& action);
 void add_profile_command(CLI::App& app, Action& action);
 void add_annotate_command(CLI::App& app, Action& action);
 void add_explore_command(CLI::App& app, Action& action);
+void add_link_command(CLI::App& app, Action& action);
 void add_machine_command(CLI::App& app, Action& action);
 void add_exec_command(CLI::App& app, Action& action, std::vector<std::string> arguments);
 void add_trace_command(CLI::App& app, Action& action, std::vector<std::string> arguments);

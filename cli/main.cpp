@@ -87,6 +87,7 @@ int parse_and_run(int argc, char** argv) {
   const std::vector<std::string> program_arguments = take_program_arguments(argc, argv);
   add_exec_command(app, action, program_arguments);
   add_trace_command(app, action, program_arguments);
+  add_link_command(app, action);
   add_machine_command(app, action);
   add_isa_command(app, action);
   add_lab_command(app, action);

@@ -35,6 +35,19 @@ void add_run_options(CLI::App& command, runner::RunRequest& request) {
       ->capture_default_str()
       ->check(CLI::Range(1U, runner::kMostFrames))
       ->group(kGroup);
+  add_link_options(command, request);
+  command.add_option("--power", request.power, "Power file (TOML): other numbers for the watts")
+      ->group(kGroup);
+  add_camera_options(command, request, kGroup);
+  add_port_options(command, request.ports, kGroup);
+  command
+      .add_option("--max-seconds", request.max_seconds,
+                  "Give up after so much simulated time (default: 2 s a frame)")
+      ->check(CLI::PositiveNumber)
+      ->group(kGroup);
+}
+
+void add_link_options(CLI::App& command, runner::RunRequest& request) {
   command
       .add_option("--firmware", request.firmware,
                   "Installed firmware, or path of a folder, a firmware.toml or a .bir file")
@@ -66,15 +79,6 @@ void add_run_options(CLI::App& command, runner::RunRequest& request) {
                   "Put a file's bytes into flash; NAME: instead of the firmware's own; repeatable")
       ->type_name("[NAME=]FILE[@ADDRESS]")
       ->allow_extra_args(false)
-      ->group(kGroup);
-  command.add_option("--power", request.power, "Power file (TOML): other numbers for the watts")
-      ->group(kGroup);
-  add_camera_options(command, request, kGroup);
-  add_port_options(command, request.ports, kGroup);
-  command
-      .add_option("--max-seconds", request.max_seconds,
-                  "Give up after so much simulated time (default: 2 s a frame)")
-      ->check(CLI::PositiveNumber)
       ->group(kGroup);
 }
 

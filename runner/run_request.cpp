@@ -123,15 +123,8 @@ void apply_flash(LoadedFirmware& loaded, const std::vector<std::string>& files) 
   }
 }
 
-RunInputs load_inputs(const RunRequest& request) {
-  RunInputs inputs;
-  load_scene(request, inputs);
-  inputs.camera_troubles = camera_troubles(request);
-  inputs.ports = request.ports;
+void load_linked(const RunRequest& request, RunInputs& inputs) {
   inputs.machine = load_machine(request.machine, request.settings);
-  if (request.camera_rate > 0) {
-    inputs.machine->set("camera.frame_rate", request.camera_rate);
-  }
   inputs.firmware = find_firmware(
       request.firmware,
       request.placement.empty() ? std::nullopt : std::optional<fs::path>(request.placement));
@@ -141,6 +134,17 @@ RunInputs load_inputs(const RunRequest& request) {
     moves.push_back(parse_move(move));
   }
   apply_moves(inputs.firmware, moves);
+}
+
+RunInputs load_inputs(const RunRequest& request) {
+  RunInputs inputs;
+  load_scene(request, inputs);
+  inputs.camera_troubles = camera_troubles(request);
+  inputs.ports = request.ports;
+  load_linked(request, inputs);
+  if (request.camera_rate > 0) {
+    inputs.machine->set("camera.frame_rate", request.camera_rate);
+  }
   if (!request.power.empty()) {
     auto power = std::make_shared<power::PowerParameters>();
     power::load_power_parameters(request.power, *power);

@@ -48,6 +48,10 @@ inline constexpr std::uint32_t kMostFrames = 10000;
 // tells. Throws InputError.
 void apply_flash(LoadedFirmware& loaded, const std::vector<std::string>& files);
 
+// What is linked: the machine and the firmware that `request` names, with its placement, moves and
+// flash. Throws InputError.
+void load_linked(const RunRequest& request, RunInputs& inputs);
+
 // Loads everything that `request` names. Throws InputError.
 [[nodiscard]] RunInputs load_inputs(const RunRequest& request);
 
