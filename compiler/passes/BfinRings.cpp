@@ -72,6 +72,7 @@ class BfinRings : public MachineFunctionPass {
   void step(Ring& ring, MachineInstr& next);
   MachineInstr* last_access(const MachineInstr& next, Register value) const;
   void load(Ring& ring);
+  void end(MachineInstr& done, Register value);
   Register copy(Register value, const TargetRegisterClass& rc, MachineInstr& at);
   std::optional<int64_t> number(Register value) const;
 
@@ -234,13 +235,7 @@ void BfinRings::use_ring(Ring& ring, Register value) {
       continue;
     const bool behind = is_behind(inst);
     if (inst.getOpcode() == Bfin::RINGDONE) {
-      BuildMI(*inst.getParent(), inst, inst.getDebugLoc(), tii_->get(TargetOpcode::COPY),
-              inst.getOperand(0).getReg())
-          .addReg(value, 0, Bfin::sub_i);
-      BuildMI(*inst.getParent(), inst, inst.getDebugLoc(), tii_->get(Bfin::RINGEND),
-              regs_->createVirtualRegister(&Bfin::RINGRegClass))
-          .addReg(value);
-      inst.eraseFromParent();
+      end(inst, value);
     } else if (behind) {
       if (!before.isValid())
         before = index_of(*next->getParent(), next->getIterator(), value);
@@ -249,6 +244,18 @@ void BfinRings::use_ring(Ring& ring, Register value) {
       read_index(*use, index_of(*inst.getParent(), inst.getIterator(), value));
     }
   }
+}
+
+/// Where it ends: at the beginning of the block behind the loop, in front of all calls.
+void BfinRings::end(MachineInstr& done, Register value) {
+  MachineBasicBlock& block = *done.getParent();
+  const auto at = block.getFirstNonPHI();
+  BuildMI(block, at, done.getDebugLoc(), tii_->get(TargetOpcode::COPY), done.getOperand(0).getReg())
+      .addReg(value, 0, Bfin::sub_i);
+  BuildMI(block, at, done.getDebugLoc(), tii_->get(Bfin::RINGEND),
+          regs_->createVirtualRegister(&Bfin::RINGRegClass))
+      .addReg(value);
+  done.eraseFromParent();
 }
 
 /// The last access through the ring in front of its step.
@@ -301,11 +308,17 @@ Register BfinRings::copy(Register value, const TargetRegisterClass& rc, MachineI
   return to;
 }
 
-/// Where the ring begins: its registers.
+/// Where the ring begins: its registers, at the end of the block in front of the loop. Divisions
+/// that selection made calls of may stand behind RINGBEGIN.
 void BfinRings::load(Ring& ring) {
   MachineInstr& begin = *ring.begin;
-  auto made = BuildMI(*begin.getParent(), begin, begin.getDebugLoc(), tii_->get(Bfin::RINGLOAD),
-                      begin.getOperand(0).getReg())
+  const MachineInstr& phi = *regs_->use_instr_nodbg_begin(begin.getOperand(0).getReg());
+  const bool first = phi.getOperand(1).getReg() == begin.getOperand(0).getReg();
+  MachineBasicBlock& block = *phi.getOperand(first ? 2 : 4).getMBB();
+  for (const unsigned operand : {1U, 2U, 3U, 4U})
+    regs_->clearKillFlags(begin.getOperand(operand).getReg());
+  auto made = BuildMI(block, block.getFirstTerminator(), begin.getDebugLoc(),
+                      tii_->get(Bfin::RINGLOAD), begin.getOperand(0).getReg())
                   .add(begin.getOperand(1))
                   .add(begin.getOperand(2));
   const std::optional<int64_t> bytes = number(begin.getOperand(3).getReg());

@@ -168,6 +168,19 @@ APART unsigned over_samples(const short* in, int count, unsigned size) {
   return sum;
 }
 
+/* Divisions, which are calls, in front of the loop and behind it, and for the first step of a ring
+ * that is read behind its steps. */
+APART unsigned mean(unsigned head, unsigned size, unsigned other, unsigned divisor, int count) {
+  unsigned sum = divisor / (head + 1);
+  for (int k = 0; k < count; ++k) {
+    sum += (unsigned)words[head];
+    head = head + 1 < size ? head + 1 : 0;
+    other = (other + 7) % size;
+    sum ^= (unsigned)words[other];
+  }
+  return sum / divisor + sum % (head + 2);
+}
+
 /* No circle: the start lies beyond the end that is asked for, and never meets it. */
 APART unsigned beyond(const int* from, unsigned size, unsigned at, int count) {
   unsigned sum = 0;
@@ -223,6 +236,7 @@ int main(void) {
     sum = mix(sum, step_remainder((unsigned)head, 37, head + 9));
     sum = mix(sum, step_remainder(0, 1 + (unsigned)head % 4, head));
     sum = mix(sum, known_size(head, 20));
+    sum = mix(sum, mean((unsigned)head, 37, (unsigned)head / 2, 3 + (unsigned)head, 30 + head));
     for (int step = -37; step <= 37; step += 5)
       sum = mix(sum, before_and_behind(head, step, 41));
     sum = mix(sum, behind(head, 50));
