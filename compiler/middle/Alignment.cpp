@@ -1,8 +1,12 @@
 #include "Alignment.hpp"
 
+#include <llvm/Analysis/LoopInfo.h>
 #include <llvm/Analysis/ScalarEvolutionExpressions.h>
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/Module.h>
+#include <llvm/Transforms/Scalar/IndVarSimplify.h>
+#include <llvm/Transforms/Scalar/LoopPassManager.h>
+#include <llvm/Transforms/Scalar/SimpleLoopUnswitch.h>
 #include <llvm/Transforms/Utils/ScalarEvolutionExpander.h>
 
 namespace finback::compiler {
@@ -64,6 +68,20 @@ Value* write_test(const SCEV* rounds, unsigned least, ArrayRef<const SCEV*> valu
     test = builder.CreateICmpUGE(expander.expandCodeFor(rounds, rounds->getType(), at),
                                  builder.getInt32(least));
   return builder.CreateAnd(test, write_alignment_test(values, scev, at));
+}
+
+void ask_once(Function& function, FunctionAnalysisManager& manager) {
+  for (Loop* loop : manager.getResult<LoopAnalysis>(function).getLoopsInPreorder())
+    for (BasicBlock* block : loop->blocks())
+      if (auto* branch = dyn_cast<BranchInst>(block->getTerminator());
+          branch != nullptr && branch->isConditional()) {
+        bool moved = false;
+        loop->makeLoopInvariant(branch->getCondition(), moved);
+      }
+  LoopPassManager passes;
+  passes.addPass(SimpleLoopUnswitchPass(/*NonTrivial=*/true));
+  passes.addPass(IndVarSimplifyPass());  // counts that only code behind the loop wants
+  createFunctionToLoopPassAdaptor(std::move(passes)).run(function, manager);
 }
 
 }  // namespace finback::compiler

@@ -3,6 +3,7 @@
 
 #include <llvm/Analysis/ScalarEvolution.h>
 #include <llvm/IR/Instructions.h>
+#include <llvm/IR/PassManager.h>
 
 namespace finback::compiler {
 
@@ -25,5 +26,9 @@ void align_objects(llvm::ArrayRef<const llvm::SCEV*> values, llvm::ScalarEvoluti
 [[nodiscard]] llvm::Value* write_test(const llvm::SCEV* rounds, unsigned least,
                                       llvm::ArrayRef<const llvm::SCEV*> values,
                                       llvm::ScalarEvolution& scev, llvm::Instruction* at);
+
+/// Is a word aligned, is a count odd? What all rounds of a loop answer alike is asked in front of
+/// it.
+void ask_once(llvm::Function& function, llvm::FunctionAnalysisManager& manager);
 
 }  // namespace finback::compiler

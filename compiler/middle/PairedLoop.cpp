@@ -101,6 +101,7 @@ SmallVector<Value*, 8> write_pointers(const Loop& loop, ArrayRef<PairAccess> acc
   BasicBlock* body = loop.getHeader();
   BasicBlock* behind = loop.getExitBlock();
   SCEVExpander expander(scev, body->getModule()->getDataLayout(), "pairs");
+  expander.disableCanonicalMode();  // rows begin where a pointer of their own is, without a product
   DenseMap<const SCEV*, std::pair<PHINode*, PHINode*>> pointers;
   SmallVector<Value*, 8> ends;
   for (const PairAccess& access : accesses) {

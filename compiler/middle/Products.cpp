@@ -1,9 +1,6 @@
 #include "Products.hpp"
 
 #include <llvm/IR/IRBuilder.h>
-#include <llvm/Transforms/Scalar/IndVarSimplify.h>
-#include <llvm/Transforms/Scalar/LoopPassManager.h>
-#include <llvm/Transforms/Scalar/SimpleLoopUnswitch.h>
 #include <llvm/Transforms/Utils/BasicBlockUtils.h>
 #include <llvm/Transforms/Utils/LoopSimplify.h>
 #include <llvm/Transforms/Utils/LoopUtils.h>
@@ -127,22 +124,6 @@ bool visit_one(Function& function, FunctionAnalysisManager& manager, Heads& done
         visit(*loop, analyses, done, jammed))
       return true;
   return false;
-}
-
-/// Is a word aligned, is a count odd? What all rounds of a loop answer alike is asked in front of
-/// it.
-void ask_once(Function& function, FunctionAnalysisManager& manager) {
-  for (Loop* loop : manager.getResult<LoopAnalysis>(function).getLoopsInPreorder())
-    for (BasicBlock* block : loop->blocks())
-      if (auto* branch = dyn_cast<BranchInst>(block->getTerminator());
-          branch != nullptr && branch->isConditional()) {
-        bool moved = false;
-        loop->makeLoopInvariant(branch->getCondition(), moved);
-      }
-  LoopPassManager passes;
-  passes.addPass(SimpleLoopUnswitchPass(/*NonTrivial=*/true));
-  passes.addPass(IndVarSimplifyPass());  // counts that only code behind the loop wants
-  createFunctionToLoopPassAdaptor(std::move(passes)).run(function, manager);
 }
 
 }  // namespace

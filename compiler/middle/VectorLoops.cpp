@@ -8,6 +8,7 @@
 #include <llvm/Transforms/Vectorize/LoopVectorize.h>
 
 #include "../target/BfinMachineFunctionInfo.hpp"
+#include "Alignment.hpp"
 #include "HalfLoops.hpp"
 #include "PairedLoop.hpp"
 
@@ -41,7 +42,8 @@ bool mark_loops(Function& function, FunctionAnalysisManager& manager) {
   return any;
 }
 
-/// What the vectoriser refused is not tried, nor warned of, again.
+/// Neither what C asks of the vectoriser is tried (pragmas: it would make vectors that this machine
+/// has not) nor, again, what it refused.
 void drop_marks(const LoopInfo& loops) {
   for (Loop* loop : loops.getLoopsInPreorder())
     if (MDNode* id = loop->getLoopID(); findOptionMDForLoopID(id, kEnable) != nullptr)
@@ -49,14 +51,16 @@ void drop_marks(const LoopInfo& loops) {
           id->getContext(), id, {"llvm.loop.vectorize.", "llvm.loop.interleave."}, {}));
 }
 
-/// False: there is none left.
+/// False: there is none left. `nested`: it stood within another loop.
 bool finish_one(Function& function, FunctionAnalysisManager& manager,
-                SmallPtrSetImpl<const BasicBlock*>& done) {
+                SmallPtrSetImpl<const BasicBlock*>& done, bool& nested) {
   auto& scev = manager.getResult<ScalarEvolutionAnalysis>(function);
   for (const Loop* loop : manager.getResult<LoopAnalysis>(function).getLoopsInPreorder())
     if (loop->isInnermost() && loop->getNumBlocks() == 1 && done.insert(loop->getHeader()).second &&
-        finish_paired_loop(*loop, scev))
+        finish_paired_loop(*loop, scev)) {
+      nested |= loop->getParentLoop() != nullptr;
       return true;
+    }
   return false;
 }
 
@@ -66,6 +70,7 @@ PreservedAnalyses VectorLoopsPass::run(Function& function, FunctionAnalysisManag
   if (function.hasOptSize() || isInterruptHandler(function) ||
       manager.getResult<LoopAnalysis>(function).empty())
     return PreservedAnalyses::all();
+  drop_marks(manager.getResult<LoopAnalysis>(function));
   const bool any = mark_loops(function, manager);
   manager.invalidate(function, PreservedAnalyses::none());
   if (!any)
@@ -76,8 +81,11 @@ PreservedAnalyses VectorLoopsPass::run(Function& function, FunctionAnalysisManag
   manager.invalidate(function, PreservedAnalyses::none());
   drop_marks(manager.getResult<LoopAnalysis>(function));
   SmallPtrSet<const BasicBlock*, 8> done;
-  while (finish_one(function, manager, done))
+  bool nested = false;
+  while (finish_one(function, manager, done, nested))
     manager.invalidate(function, PreservedAnalyses::none());
+  if (nested)
+    ask_once(function, manager);
   return PreservedAnalyses::none();
 }
 

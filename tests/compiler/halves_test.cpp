@@ -82,6 +82,19 @@ TEST_F(Halves, ArePairsOfExtremesToo) {
   EXPECT_EQ(count(body, "MAX(R0, R1) || R1 = W[P0++] (X) || NOP;"), 1) << body;
 }
 
+// Whether words are aligned is asked once for all rows, whose pointers go on without a product.
+TEST_F(Halves, OfRowsAreTestedOnce) {
+  const std::string body = function_of(
+      compile("void f(short *restrict z, const short *restrict x, int width, int height) {\n"
+              "  for (int row = 0; row < height; row++)\n"
+              "    for (int i = 0; i < width; i++) z[row * width + i] = -x[row * width + i];\n}\n"),
+      "f");
+  EXPECT_GE(count(body, " -|- R"), 1) << body;
+  EXPECT_EQ(count(body, "*="), 0) << body;
+  EXPECT_EQ(count(body, "= 3 (X)"), 1) << body;
+  EXPECT_LT(body.find("= 3 (X)"), body.find("LSETUP")) << body;
+}
+
 // What two and a half hundred elements more cost: a scalar loop takes two cycles for each and
 // half a one where both loads meet in a sub-bank.
 TEST_F(Halves, TakeAboutHalfTheCycles) {
