@@ -1,5 +1,5 @@
-/* Left-right consistency check, from the winners that shd_select_row left in left_keys and
- * right_keys: no second pass over the scores. */
+/* Left-right consistency check, from the winners of both views that shd_select_row left:
+ * no second pass over the scores. */
 #ifndef MESVS2_LRC_H
 #define MESVS2_LRC_H
 

@@ -1,10 +1,12 @@
 // The maps of MESVS-II and MESVS-I, computed by compiled C on two simulated cores, are the
 // reference's in every pixel.
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <random>
 
 #include "firmware_copy.hpp"
 #include "firmware_run.hpp"
@@ -48,6 +50,20 @@ TEST(FirmwareMap, EqualsReferenceOnEveryFrameOfAPipelinedRun) {
   for (std::uint32_t frame = 0; frame < 5; ++frame) {
     EXPECT_EQ(outcome.maps[frame].frame_number, frame);
     EXPECT_EQ(outcome.maps[frame].bytes, expected) << "frame " << frame;
+  }
+}
+
+// Ties everywhere, and the largest distances: what a key of 16 bits must hold.
+TEST(FirmwareMap, EqualsReferenceOnNoiseAndOnNothing) {
+  std::mt19937 generator(31);
+  for (const unsigned levels : {1U, 2U, 256U}) {
+    SCOPED_TRACE(levels);
+    scenes::Scene scene = scenes::make_synthetic_scene();
+    for (scenes::ByteImage* image : {&scene.left, &scene.right}) {
+      std::generate_n(image->data(), 640 * 480,
+                      [&] { return static_cast<std::uint8_t>(generator() % levels); });
+    }
+    expect_reference_map(scene);
   }
 }
 
