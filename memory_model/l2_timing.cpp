@@ -29,8 +29,8 @@ L2Timing::L2Timing(const MemoryParameters& parameters, clock::ClockRatio ratio,
 
 Cycles L2Timing::dma_words(Address low, Address high, std::uint32_t words, Cycles start) {
   dma_free_at_ = start + ratio_.cycles(words * dma_word_);
-  const std::uint32_t last = (high - base_) >> sub_bank_shift_;
-  for (std::uint32_t bank = (low - base_) >> sub_bank_shift_; bank <= last; ++bank) {
+  const std::uint32_t last = sub_bank(high);
+  for (std::uint32_t bank = sub_bank(low); bank <= last; ++bank) {
     sub_bank_dma_until_[bank] = dma_free_at_;
   }
   return dma_free_at_;

@@ -2,9 +2,9 @@
 //
 // Models: one 64-bit port for both cores, taken for the whole of a read and for the posted cost of
 // a write, first come first served (on equal times core A comes first, being asked first); a
-// separate DMA port at SCLK whose bursts delay core accesses to the same sub-bank; IMDMA, which
-// takes the cores' port for a whole burst. Does not model: pipelined reads of one core, the anomaly
-// 05000428. Source: hardware.md 2.3.
+// separate DMA port at SCLK whose bursts delay core accesses to the same sub-bank, and wait there
+// for a line that is under way; IMDMA, which takes the cores' port for a whole burst. Does not
+// model: pipelined reads of one core, the anomaly 05000428. Source: hardware.md 2.3.
 #pragma once
 
 #include <algorithm>
@@ -34,12 +34,14 @@ class L2Timing {
   LineFill line_fill(int core, Address address, Cycles now) {
     const Cycles first = grant(core, address, now) + read_cycles_;
     port_free_at_ = first + (kLineBytes / kPortBytes - 1) * beat_;
+    line_until(address);
     return {.first = first, .beat = beat_, .beat_bytes = kPortBytes};
   }
   // Arrival of a line out of a cache, which may start at `start`.
   Cycles line_write(int core, Address address, Cycles start) {
     port_free_at_ =
         grant(core, address, start) + write_cycles_ + (kLineBytes / kPortBytes - 1) * beat_;
+    line_until(address);
     return port_free_at_;
   }
   // Arrival of a write that may start at `start`.
@@ -58,7 +60,10 @@ class L2Timing {
     return port_free_at_ - now - 1;
   }
 
-  [[nodiscard]] Cycles dma_free_at() const { return dma_free_at_; }
+  // When a DMA burst that begins at `address` can have the DMA port and the sub-bank.
+  [[nodiscard]] Cycles dma_free_at(Address address) const {
+    return sub_bank(address) == line_sub_bank_ ? std::max(dma_free_at_, line_until_) : dma_free_at_;
+  }
   // An IMDMA burst on the cores' port, for `cycles`: returns when its last word has passed.
   Cycles internal_dma(Cycles cycles, Cycles now) {
     port_free_at_ = std::max(now, port_free_at_) + cycles;
@@ -68,8 +73,8 @@ class L2Timing {
   [[nodiscard]] Cycles port_free_at() const { return port_free_at_; }
 
   // A DMA burst: when its first word can pass. `further`: not the first of its work unit.
-  [[nodiscard]] Cycles dma_start(bool further, Cycles now) const {
-    return std::max(now, dma_free_at_) + (further ? 0 : ratio_.cycles(dma_overhead_));
+  [[nodiscard]] Cycles dma_start(bool further, Address address, Cycles now) const {
+    return std::max(now, dma_free_at(address)) + (further ? 0 : ratio_.cycles(dma_overhead_));
   }
   // `words` words between the addresses `low` and `high`: returns when they have passed.
   Cycles dma_words(Address low, Address high, std::uint32_t words, Cycles start);
@@ -87,10 +92,19 @@ class L2Timing {
       start = port_free_at_ + (port_core_ == core ? 0 : contention_cycles_);
     }
     port_core_ = core;
-    if (sub_bank_dma_until_[(address - base_) >> sub_bank_shift_] > start) {
+    if (sub_bank_dma_until_[sub_bank(address)] > start) {
       start += dma_collision_cycles_;
     }
     return start;
+  }
+
+  [[nodiscard]] std::uint32_t sub_bank(Address address) const {
+    return (address - base_) >> sub_bank_shift_;
+  }
+  // The line at `address` is under way as long as the port is taken now.
+  void line_until(Address address) {
+    line_sub_bank_ = sub_bank(address);
+    line_until_ = port_free_at_;
   }
 
   static constexpr Cycles kPortBytes = 8;
@@ -108,6 +122,8 @@ class L2Timing {
   int port_core_ = 0;
   Cycles port_free_at_ = 0;
   Cycles dma_free_at_ = 0;
+  Cycles line_until_ = 0;  // of the last line to or from a cache
+  std::uint32_t line_sub_bank_ = 0;
   std::vector<Cycles> sub_bank_dma_until_;
 };
 

@@ -71,10 +71,10 @@ std::string MemorySystem::dma_fault(const DmaRun& run, std::uint32_t element_byt
   return "";
 }
 
-Cycles MemorySystem::dma_free_at(const Span& span) const {
+Cycles MemorySystem::dma_free_at(const Span& span, Address address) const {
   switch (span.level) {
     case Level::l2:
-      return l2_.dma_free_at();
+      return l2_.dma_free_at(address);
     case Level::l3:
       return bus_.free_at();
     case Level::l1:
@@ -83,11 +83,11 @@ Cycles MemorySystem::dma_free_at(const Span& span) const {
   return l1_dma_free_at_[static_cast<std::size_t>(span.core)];
 }
 
-Cycles MemorySystem::dma_start(const Span& span, Initiator initiator, Direction direction,
-                               bool further, Cycles now) {
+Cycles MemorySystem::dma_start(const Span& span, Address address, Initiator initiator,
+                               Direction direction, bool further, Cycles now) {
   switch (span.level) {
     case Level::l2:
-      return l2_.dma_start(further, now);
+      return l2_.dma_start(further, address, now);
     case Level::l3:
       return is_asynchronous(span.base)
                  ? async_.dma_start(initiator, direction, further, span.base, now)
@@ -95,7 +95,8 @@ Cycles MemorySystem::dma_start(const Span& span, Initiator initiator, Direction 
     case Level::l1:
       break;
   }
-  return std::max(now, dma_free_at(span)) + (further ? 0 : ratio_.cycles(l1_dma_overhead_));
+  return std::max(now, dma_free_at(span, address)) +
+         (further ? 0 : ratio_.cycles(l1_dma_overhead_));
 }
 
 Cycles MemorySystem::dma_words(const Span& span, Direction direction, const DmaRun& run,
@@ -179,10 +180,11 @@ Cycles MemorySystem::dma_burst(Initiator initiator, Direction direction,
       l1_bursts_[static_cast<std::size_t>(span->core)].prune(now);
     }
     if (previous == nullptr) {
-      count_wait(*span, initiator, direction, std::max(now, dma_free_at(*span)) - asked_at);
+      count_wait(*span, initiator, direction,
+                 std::max(now, dma_free_at(*span, run.address)) - asked_at);
     }
     if (previous == nullptr || previous->region != span->region) {
-      time = dma_start(*span, initiator, direction, further, time);
+      time = dma_start(*span, run.address, initiator, direction, further, time);
     }
     time = dma_words(*span, direction, run, element_bytes, time);
     count_run(initiator, direction, run, element_bytes);

@@ -362,9 +362,9 @@ class MemorySystem {
   void count_run(Initiator initiator, Direction direction, const DmaRun& run,
                  std::uint32_t element_bytes);
   void count_wait(Span& span, Initiator initiator, Direction direction, Cycles cycles);
-  [[nodiscard]] Cycles dma_free_at(const Span& span) const;
-  [[nodiscard]] Cycles dma_start(const Span& span, Initiator initiator, Direction direction,
-                                 bool further, Cycles now);
+  [[nodiscard]] Cycles dma_free_at(const Span& span, Address address) const;
+  [[nodiscard]] Cycles dma_start(const Span& span, Address address, Initiator initiator,
+                                 Direction direction, bool further, Cycles now);
   [[nodiscard]] Cycles dma_words(const Span& span, Direction direction, const DmaRun& run,
                                  std::uint32_t element_bytes, Cycles start);
 

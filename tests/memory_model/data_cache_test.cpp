@@ -229,6 +229,21 @@ TEST_F(DataCacheTest, AVictimFollowsTheFillAndHoldsUpTheNext) {
   EXPECT_EQ(counter("core_a.data_cache.a.write_back.accesses"), 2U);
 }
 
+TEST_F(DataCacheTest, DmaWaitsForALineThatIsUnderWayInItsSubBankOfL2) {
+  turn_on();
+  const auto burst = [&](Address address, Cycles now) {
+    return dma(Direction::read, address, 16, now, Initiator::mdma1_0, true);
+  };
+  EXPECT_EQ(load(kL2, 100), 8U);  // until 115
+  EXPECT_EQ(burst(kL2 + 64, 105), 115 + 16 * kSclk);
+  EXPECT_EQ(memory().level_traffic(Level::l2, Initiator::mdma1_0, Direction::read).stall_cycles,
+            10U);
+  load(kL2 + 32, 1000);
+  EXPECT_EQ(burst(kL2 + 16384, 1005), 1005 + 16 * kSclk) << "the next sub-bank";
+  load(kL2 + 64, 2000);
+  EXPECT_EQ(burst(kL2, 2015), 2015 + 16 * kSclk) << "it is over";
+}
+
 TEST_F(DataCacheTest, EachFurtherWordFromL2TakesItsBeat) {
   parameters_.l2_burst_beat_cycles.set(5);
   turn_on();
