@@ -12,7 +12,8 @@ namespace finback::cli {
 // Those of what is linked: firmware, machine, placement and flash.
 void add_link_options(CLI::App& command, runner::RunRequest& request);
 
-// Adds all of them to `command`; they are read into `request`, which must live as long as the command.
+// Adds all of them to `command`; they are read into `request`, which must live as long as the
+// command.
 void add_run_options(CLI::App& command, runner::RunRequest& request);
 
 // `base` with the options that were given to `command` and so are in `given`. A scene replaces a

@@ -10,14 +10,14 @@ namespace {
 using namespace llvm;
 using namespace llvm::PatternMatch;
 
-constexpr unsigned kWord = 32;
+constexpr unsigned kIndexBits = 32;
 
 ConstantInt* word(const Value& like, int64_t value) {
   return ConstantInt::getSigned(cast<IntegerType>(like.getType()), value);
 }
 
 /// `value` is the phi plus a number: that number.
-std::optional<int64_t> distance(Value* value, PHINode& phi) {
+std::optional<int64_t> distance_from(Value* value, PHINode& phi) {
   const APInt* number = nullptr;
   if (value == &phi)
     return 0;
@@ -29,16 +29,16 @@ std::optional<int64_t> distance(Value* value, PHINode& phi) {
 /// For which values of the phi a comparison with a number is true.
 std::optional<ConstantRange> where_true(ICmpInst& compare, PHINode& phi) {
   const APInt* number = nullptr;
-  const std::optional<int64_t> from = distance(compare.getOperand(0), phi);
+  const std::optional<int64_t> from = distance_from(compare.getOperand(0), phi);
   if (!from || !match(compare.getOperand(1), m_APInt(number)))
     return std::nullopt;
   return ConstantRange::makeExactICmpRegion(compare.getPredicate(), *number)
-      .subtract(APInt(kWord, static_cast<uint64_t>(*from), /*isSigned=*/true));
+      .subtract(APInt(kIndexBits, static_cast<uint64_t>(*from), /*isSigned=*/true));
 }
 
 ConstantRange range(int64_t from, int64_t to) {
-  return ConstantRange::getNonEmpty(APInt(kWord, static_cast<uint64_t>(from)),
-                                    APInt(kWord, static_cast<uint64_t>(to)));
+  return ConstantRange::getNonEmpty(APInt(kIndexBits, static_cast<uint64_t>(from)),
+                                    APInt(kIndexBits, static_cast<uint64_t>(to)));
 }
 
 /// Within a circle of `size`, is the range just where a step leaves it?
@@ -149,7 +149,7 @@ bool match_up(CircularIndex& index, const ICmpInst& compare, bool wraps_if_true,
   }
   if (!wraps_if_true)
     predicate = ICmpInst::getInversePredicate(predicate);
-  const std::optional<int64_t> from = distance(left, *index.phi);
+  const std::optional<int64_t> from = distance_from(left, *index.phi);
   const bool at_end = predicate == ICmpInst::ICMP_EQ || predicate == ICmpInst::ICMP_UGE ||
                       predicate == ICmpInst::ICMP_SGE;
   if (!from || !at_end || wrapped.of_phi || wrapped.invariant != nullptr || wrapped.number != 0 ||
@@ -215,7 +215,7 @@ bool match_mask(CircularIndex& index) {
   if (!match(index.next, m_And(m_Value(sum), m_APInt(mask))) || !mask->isMask() ||
       mask->uge(kLargestCircle))
     return false;
-  const std::optional<int64_t> step = distance(sum, *index.phi);
+  const std::optional<int64_t> step = distance_from(sum, *index.phi);
   const int64_t size = mask->getSExtValue() + 1;
   if (!step || *step % size == 0)
     return false;
@@ -230,7 +230,7 @@ bool match_remainder(CircularIndex& index, const Loop& loop) {
   Value* size = nullptr;
   if (!match(index.next, m_URem(m_Value(sum), m_Value(size))) || !loop.isLoopInvariant(size))
     return false;
-  const std::optional<int64_t> step = distance(sum, *index.phi);
+  const std::optional<int64_t> step = distance_from(sum, *index.phi);
   const auto* number = dyn_cast<ConstantInt>(size);
   if (!step || *step <= 0 || *step >= kLargestCircle ||
       (number != nullptr && (number->getValue().ult(static_cast<uint64_t>(*step)) ||
@@ -290,7 +290,7 @@ std::optional<CircularIndex> match_circular_index(PHINode& phi, const Loop& loop
   index.next = phi.getIncomingValueForBlock(loop.getLoopLatch());
   if (!isa<Instruction>(index.next) || index.next == &phi ||
       !loop.contains(cast<Instruction>(index.next)) ||
-      (!phi.getType()->isIntegerTy(kWord) && !phi.getType()->isPointerTy()))
+      (!phi.getType()->isIntegerTy(kIndexBits) && !phi.getType()->isPointerTy()))
     return std::nullopt;
   const bool found =
       match_call(index, loop) ||
@@ -306,7 +306,7 @@ std::optional<CircularIndex> match_masked_index(Instruction& masked, const Loop&
   Value* sum = nullptr;
   const APInt* mask = nullptr;
   const APInt* number = nullptr;
-  if (!masked.getType()->isIntegerTy(kWord) ||
+  if (!masked.getType()->isIntegerTy(kIndexBits) ||
       !match(&masked, m_And(m_Value(sum), m_APInt(mask))) || !mask->isMask() ||
       mask->uge(kLargestCircle))
     return std::nullopt;

@@ -69,7 +69,7 @@
  * left. */
 #define DISPARITY_COUNT (DISPARITY_MAX - DISPARITY_MIN + 1)
 #define HIGHEST_DISPARITY_MIN (DISPARITY_MIN > MAP_WIDTH / 4 ? DISPARITY_MIN : MAP_WIDTH / 4)
-#define MOST_COLUMNS (MAP_WIDTH - 1) /* that have a candidate: with a window of 1 and disparity 1 \
-                                      */
+/* Columns that have a candidate, at most: with a window of 1 and disparity 1. */
+#define MOST_COLUMNS (MAP_WIDTH - 1)
 
 #endif
