@@ -2,12 +2,10 @@
 // and D) against what the model says.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <numeric>
-#include <tests/fidelity/published_figure.hpp>
+#include <tests/fidelity/figures_on_page.hpp>
 #include <vector>
 
 #include <clock_model/core_voltage.hpp>
-#include <common/file.hpp>
 #include <power_model/power_model.hpp>
 
 namespace finback::power {
@@ -25,32 +23,33 @@ PublishedFigure vector(const std::string& what, double published, const CoreActi
           }};
 }
 
-// Both cores at activity 1, at 25 C.
-PowerEstimate typical(double megahertz, double system_megahertz, double volts) {
+// The core supply's current in mA, with both cores at an activity of at most 1, an ALU operation's.
+double core_milliamperes(double megahertz, double system_megahertz, double volts, double celsius,
+                         double activity) {
   PowerParameters p;
-  p.junction_celsius.set(25);
+  p.junction_celsius.set(celsius);
   p.core_volts.set(volts);
-  Activity activity;
-  activity.core_hertz = megahertz * 1e6;
-  activity.system_hertz = system_megahertz * 1e6;
-  activity.cycles = kCycles;
-  activity.cores.fill({.cycles = kCycles, .alu_operations = kCycles});
-  return estimate_power(p, activity);
+  const double working = (activity - p.activity_idle) / (p.activity_alu - p.activity_idle);
+  const auto busy = static_cast<Cycles>(working * kCycles);
+  Activity done;
+  done.core_hertz = megahertz * 1e6;
+  done.system_hertz = system_megahertz * 1e6;
+  done.cycles = kCycles;
+  done.cores.fill({.cycles = kCycles, .idle_cycles = kCycles - busy, .alu_operations = busy});
+  double amperes = 0;
+  for (const PowerComponent& part : estimate_power(p, done).components) {
+    if (part.name.starts_with("core") && part.name != "core.regulator_loss") {
+      amperes += part.amperes;
+    }
+  }
+  return 1e3 * amperes;
 }
 PublishedFigure core_current(double megahertz, double system_megahertz, double volts,
                              double milliamperes) {
   return {fmt::format("core supply, TYP on both cores, {:g} / {:g} MHz, {:.2f} V, 25 C", megahertz,
                       system_megahertz, volts),
-          milliamperes, "mA", "D 5.2", [=] {
-            const PowerEstimate estimate = typical(megahertz, system_megahertz, volts);
-            return 1e3 * std::accumulate(estimate.components.begin(), estimate.components.end(),
-                                         0.0, [](double sum, const PowerComponent& part) {
-                                           return part.name.starts_with("core") &&
-                                                          part.name != "core.regulator_loss"
-                                                      ? sum + part.amperes
-                                                      : sum;
-                                         });
-          }};
+          milliamperes, "mA", "D 5.2",
+          [=] { return core_milliamperes(megahertz, system_megahertz, volts, 25, 1); }};
 }
 
 // Milliwatts of a component, with the external bus in use for a share of the time.
@@ -73,6 +72,13 @@ double pins_of_ee297() {
   p.bus_pins.set(36);
   p.io_volts.set(3.6);
   return board_part(p, "io.external_bus", 133e6, 0.5);
+}
+double camera_pins_of_ee297() {
+  PowerParameters p;
+  p.bus_pins.set(9);
+  p.bus_toggle.set(1);
+  p.io_volts.set(3.6);
+  return board_part(p, "io.external_bus", 27e6, 1);
 }
 double sdram_milliamperes(double system_hertz, double utilisation) {
   PowerParameters p;
@@ -102,7 +108,12 @@ std::vector<PublishedFigure> figures() {
   all.push_back(core_current(500, 120, 1.25, 662));
   all.push_back(core_current(50, 50, 0.80, 104));
   all.push_back(core_current(600, 120, 1.30, 789));
+  all.push_back({"core supply, both cores 80 % APP, 20 % IDLE, 1.30 V, 40 C", 740, "mA", "D 5.5",
+                 [] { return core_milliamperes(600, 120, 1.30, 40, 0.8 * 0.88 + 0.2 * 0.43); }});
+  all.push_back({"core supply, both cores TYP, 1.30 V, 60 C", 931, "mA", "D 5.5",
+                 [] { return core_milliamperes(600, 120, 1.30, 60, 1); }});
   all.push_back({"36 pins at 133 MHz, 3.6 V, half in use", 116, "mW", "V 5.3", pins_of_ee297});
+  all.push_back({"9 pins at 27 MHz, 3.6 V, all changing", 47, "mW", "V 5.3", camera_pins_of_ee297});
   all.push_back({"54 pins at 120 MHz, 3.3 V, all in use", 260, "mW", "D 5.3",
                  [] { return board_part(PowerParameters(), "io.external_bus", 120e6, 1); }});
   all.push_back({"two SDRAM clock pins at 120 MHz", 78, "mW", "D 5.3",
@@ -116,18 +127,9 @@ std::vector<PublishedFigure> figures() {
   return all;
 }
 
-TEST(PublishedPower, StandsOnThePageAsTheModelHasIt) {
-  const std::string page = read_text_file(FINBACK_FIDELITY_PAGE);
-  for (const PublishedFigure& figure : figures()) {
-    EXPECT_THAT(page, testing::HasSubstr("\n" + figure.row() + "\n"));
-  }
-}
+TEST(PublishedPower, StandsOnThePageAsTheModelHasIt) { expect_on_page(figures()); }
 
-TEST(PublishedPower, IsMetThroughout) {
-  for (const PublishedFigure& figure : figures()) {
-    EXPECT_THAT(figure.row(), testing::Not(testing::HasSubstr("**not**")));
-  }
-}
+TEST(PublishedPower, IsMetThroughout) { EXPECT_THAT(not_met(figures()), testing::IsEmpty()); }
 
 }  // namespace
 }  // namespace finback::power
