@@ -37,10 +37,10 @@ struct MemoryUse {
   std::uint64_t size = 0;
 };
 
-void print_use(const MemoryUse& use) {
-  fmt::print("  {:<20}  {:<8} {:>12} {:>13}  {:>5.1f} %\n", use.name, owner_text(use.core),
-             use.used, use.size,
-             100.0 * static_cast<double>(use.used) / static_cast<double>(use.size));
+// A line of a table, or the head of one.
+void print_use(const std::string& label, int core, std::uint64_t used, std::uint64_t size) {
+  fmt::print("{:<22}  {:<8} {:>12} {:>13}  {:>5.1f} %\n", label, owner_text(core), used, size,
+             100.0 * static_cast<double>(used) / static_cast<double>(size));
 }
 
 // The regions of a memory together: both banks of L1 data, code with and without the cache's part.
@@ -102,16 +102,15 @@ int print_link(const runner::RunRequest& request) {
   fmt::print("Memory                  core            used          size\n");
   for (const MemoryUse& memory : by_memory(regions)) {
     if (memory.used > 0) {
-      print_use(memory);
+      print_use("  " + memory.name, memory.core, memory.used, memory.size);
     }
   }
   for (const ir::RegionUse& region : regions) {
     if (region.used == 0) {
       continue;
     }
-    fmt::print("\n{:<22}  {:<8} {:>12} {:>13}  {:>5.1f} %\n", region.region,
-               owner_text(region.core), region.used, region.size,
-               100.0 * region.used / region.size);
+    fmt::print("\n");
+    print_use(region.region, region.core, region.used, region.size);
     for (const Thing& thing : things_in(image, region)) {
       fmt::print("  {:#010x}  {:<8}  {:>12}  {}\n", thing.address, thing.kind, thing.size,
                  thing.name);

@@ -10,7 +10,6 @@
 #include <llvm/IR/IntrinsicInst.h>
 #include <llvm/IR/Module.h>
 #include <llvm/Transforms/Utils/BasicBlockUtils.h>
-#include <llvm/Transforms/Utils/Cloning.h>
 #include <llvm/Transforms/Utils/Local.h>
 #include <llvm/Transforms/Utils/LoopSimplify.h>
 #include <llvm/Transforms/Utils/LoopUtils.h>
@@ -19,6 +18,7 @@
 #include "../target/BfinMachineFunctionInfo.hpp"
 #include "../target/BfinNamedInstructions.hpp"
 #include "CircularIndex.hpp"
+#include "LoopCopy.hpp"
 
 namespace finback::compiler {
 namespace {
@@ -247,25 +247,11 @@ Value* write_start_test(const CircularIndex& index, const Loop& loop, ScalarEvol
 /// A copy of the loop for the answer no.
 void add_slow_copy(Loop& loop, Value* test, const LoopAnalyses& analyses) {
   formLCSSA(loop, analyses.dominators, &analyses.loops, &analyses.scev);
-  BasicBlock* before = loop.getLoopPreheader();
   BasicBlock* exit = loop.getExitBlock();
-  BasicBlock* exiting = loop.getExitingBlock();
-  BasicBlock* preheader =
-      SplitBlock(before, before->getTerminator(), &analyses.dominators, &analyses.loops);
   ValueToValueMapTy map;
-  SmallVector<BasicBlock*, 8> blocks;
-  cloneLoopWithPreheader(preheader, before, &loop, map, ".wide", &analyses.loops,
-                         &analyses.dominators, blocks);
-  remapInstructionsInBlocks(blocks, map);
-  for (PHINode& phi : exit->phis()) {
-    Value* value = phi.getIncomingValueForBlock(exiting);
-    const auto mapped = map.find(value);
-    phi.addIncoming(mapped == map.end() ? value : &*mapped->second,
-                    cast<BasicBlock>(&*map[exiting]));
-  }
-  Instruction* at = before->getTerminator();
-  IRBuilder<>(at).CreateCondBr(test, preheader, cast<BasicBlock>(&*map[preheader]));
-  at->eraseFromParent();
+  const LoopCopy slow = copy_beside(loop, ".wide", analyses.loops, analyses.dominators, map);
+  IRBuilder<>(slow.before_both).CreateCondBr(test, slow.preheader_of_original, slow.preheader);
+  slow.before_both->eraseFromParent();
   analyses.dominators.recalculate(*exit->getParent());
 }
 

@@ -3,7 +3,6 @@
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/Module.h>
 #include <llvm/Transforms/Utils/BasicBlockUtils.h>
-#include <llvm/Transforms/Utils/Cloning.h>
 #include <llvm/Transforms/Utils/Local.h>
 #include <llvm/Transforms/Utils/LoopSimplify.h>
 #include <llvm/Transforms/Utils/LoopUtils.h>
@@ -11,6 +10,7 @@
 #include <llvm/Transforms/Utils/UnrollLoop.h>
 
 #include "Alignment.hpp"
+#include "LoopCopy.hpp"
 #include "PairProducts.hpp"
 
 namespace finback::compiler {
@@ -138,22 +138,8 @@ bool can_jam(Nest& nest, const NestAnalyses& analyses) {
 
 /// A copy of the nest, reached where the tests allow. The guard has said yes there.
 Loop* add_fast_copy(const Nest& nest, const NestAnalyses& analyses, ValueToValueMapTy& map) {
-  BasicBlock* before = nest.outer->getLoopPreheader();
-  BasicBlock* exit = nest.outer->getExitBlock();
-  BasicBlock* exiting = nest.outer->getExitingBlock();
-  BasicBlock* preheader =
-      SplitBlock(before, before->getTerminator(), &analyses.dominators, &analyses.loops);
-  SmallVector<BasicBlock*, 8> blocks;
-  Loop* fast = cloneLoopWithPreheader(preheader, before, nest.outer, map, ".jam", &analyses.loops,
-                                      &analyses.dominators, blocks);
-  remapInstructionsInBlocks(blocks, map);
-  for (PHINode& phi : exit->phis()) {
-    Value* value = phi.getIncomingValueForBlock(exiting);
-    const auto mapped = map.find(value);
-    phi.addIncoming(mapped == map.end() ? value : &*mapped->second,
-                    cast<BasicBlock>(&*map[exiting]));
-  }
-  Instruction* at = before->getTerminator();
+  const LoopCopy fast = copy_beside(*nest.outer, ".jam", analyses.loops, analyses.dominators, map);
+  Instruction* at = fast.before_both;
   align_objects(nest.aligned, analyses.scev);
   Value* test =
       write_test(nest.products.rounds, kLeastPairedRounds, nest.aligned, analyses.scev, at);
@@ -168,9 +154,9 @@ Loop* add_fast_copy(const Nest& nest, const NestAnalyses& analyses, ValueToValue
     BranchInst::Create(copied->getSuccessor(around ? 1 : 0), copied->getIterator());
     copied->eraseFromParent();
   }
-  builder.CreateCondBr(test, cast<BasicBlock>(&*map[preheader]), preheader);
+  builder.CreateCondBr(test, fast.preheader, fast.preheader_of_original);
   at->eraseFromParent();
-  return fast;
+  return fast.loop;
 }
 
 /// The form that jamming wants.

@@ -43,6 +43,8 @@ class CompilerTest : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
+/// How many random programs to try: so many, or what FINBACK_RANDOM_C asks for if that is more.
+[[nodiscard]] unsigned programs_to_try(unsigned on_every_run);
 /// The files of a program: itself, or those of the folder that it is, main.c first.
 [[nodiscard]] std::vector<std::string> sources_of(const std::string& program);
 /// The body of one function of a BIR text, from its label to its .size.

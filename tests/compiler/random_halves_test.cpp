@@ -1,6 +1,5 @@
 // Random loops over 16-bit arrays print the same on the host and on the simulated machine: trees of
 // what C does with halves, each defined for all values, over arrays that may lie anywhere.
-#include <cstdlib>
 #include <fmt/format.h>
 #include <random>
 
@@ -11,7 +10,7 @@ namespace {
 
 constexpr int kLoops = 24;     // of a program
 constexpr int kMostBits = 30;  // of a value, with its sign
-constexpr int kProgramsInCi = 2;
+constexpr unsigned kProgramsOnEveryRun = 2;
 
 struct Expression {
   std::string text;
@@ -155,9 +154,7 @@ std::string LoopWriter::program() {
 class RandomHalves : public CompilerTest {};
 
 TEST_F(RandomHalves, PrintWhatTheHostPrints) {
-  const char* wanted = std::getenv("FINBACK_RANDOM_C");
-  const unsigned programs =
-      wanted == nullptr ? kProgramsInCi : static_cast<unsigned>(std::strtoul(wanted, nullptr, 10));
+  const unsigned programs = programs_to_try(kProgramsOnEveryRun);
   const std::string headers = std::string(FINBACK_SOURCE_DIR) + "/tests/compiler/programs";
   for (unsigned seed = 1; seed <= programs && !HasFailure(); ++seed) {
     write("halves.c", LoopWriter(seed).program());

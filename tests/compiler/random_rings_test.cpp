@@ -1,7 +1,6 @@
 // Random loops over circular buffers print the same on the host and on the simulated machine: every
 // way of C to go round, two buffers in a loop, stores between loads, loops in loops.
 #include <array>
-#include <cstdlib>
 #include <fmt/format.h>
 #include <random>
 
@@ -172,10 +171,7 @@ int rings_of(const std::string& bir) {
 class RandomRings : public CompilerTest {};
 
 TEST_F(RandomRings, PrintWhatTheHostPrints) {
-  const char* wanted = std::getenv("FINBACK_RANDOM_C");
-  const unsigned programs = wanted == nullptr
-                                ? kProgramsOnEveryRun
-                                : static_cast<unsigned>(std::strtoul(wanted, nullptr, 10));
+  const unsigned programs = programs_to_try(kProgramsOnEveryRun);
   int rings = 0;
   for (unsigned seed = 1; seed <= programs && !HasFailure(); ++seed) {
     write("rings.c", RingWriter(seed).program());

@@ -4,8 +4,6 @@
 //
 // The fields of its packed structures have their addresses taken, which is undefined: those are
 // left out (wide_bit_fields.c has packed ones).
-#include <algorithm>
-#include <cstdlib>
 
 #include "compiler_fixture.hpp"
 
@@ -13,7 +11,7 @@ namespace finback::compiler {
 namespace {
 
 // 300 programs; FINBACK_RANDOM_C asks for more (CONTRIBUTING.md).
-constexpr long kPrograms = 300;
+constexpr unsigned kPrograms = 300;
 constexpr int kBatches = 30;
 constexpr int kFirstSeed = 1;
 constexpr int kDoesNotEnd = 3;
@@ -58,9 +56,7 @@ TEST_P(RandomC, PrintsWhatTheHostPrints) {
   write("empty.c", "#include <stdint.h>\nint main(void) { return 0; }\n");
   if (run({FINBACK_HOST_CC, "-m32", "-o", "host", "empty.c"}).exit_code != 0)
     GTEST_SKIP() << "the host's compiler makes no 32-bit programs (Debian's gcc-multilib)";
-  const char* wanted = std::getenv("FINBACK_RANDOM_C");
-  const long all = std::max(wanted == nullptr ? 0 : std::strtol(wanted, nullptr, 10), kPrograms);
-  const int programs = static_cast<int>(all / kBatches);
+  const int programs = static_cast<int>(programs_to_try(kPrograms)) / kBatches;
   int compared = 0;
   for (int i = 0; i < programs && !HasFailure(); ++i)
     compared += compare(kFirstSeed + GetParam() * programs + i) ? 1 : 0;

@@ -45,7 +45,7 @@ TEST(Placement, ShippedOnesComputeTheSameMaps) {
   const std::vector<std::uint8_t> expected = reference_map(scene);
   const std::vector<ShippedPlacement> placements = {
       {"best", {}, 100, 250},
-      {"all_in_l3", {}, 0.5, 5},
+      {"all_in_l3", {}, 0.5, 2},
       {"cache_only",
        {{"memory.cache.data_banks", 2}, {"memory.cache.l3_policy", 1}, {"memory.cache.code", 1}},
        10,

@@ -2,18 +2,9 @@
  * values where it wraps around or saturates, of every small count, from odd halves on, over arrays
  * that overlap by any distance, in place, in rows of odd and even length; and loops that look
  * alike. */
-#include "report.h"
-
-enum { COUNT = 80 };
-
-static short a[COUNT + 8], b[COUNT + 8], c[COUNT + 8];
-static const short edges[] = {0,      1,   -1,   32767, -32768, 32766,
-                              -32767, 255, -256, 16384, -16384, 12345};
+#include "halves.h"
 
 static const int counts[] = {0, 1, 2, 7, 8, 9, 10, 11, 33};
-
-static short half(int x) { return (short)x; }
-static int clamp(int x) { return x > 32767 ? 32767 : x < -32768 ? -32768 : x; }
 
 #define LOOP(name, expression)                                                                \
   APART static void name(short* restrict z, const short* restrict x, const short* restrict y, \
@@ -22,9 +13,6 @@ static int clamp(int x) { return x > 32767 ? 32767 : x < -32768 ? -32768 : x; }
     for (int i = 0; i < n; i++)                                                               \
       z[i] = (short)(expression);                                                             \
   }
-#define MAGNITUDE(x) ((x) < 0 ? -(x) : (x))
-#define LEAST(x, y) ((x) < (y) ? (x) : (y))
-#define MOST(x, y) ((x) > (y) ? (x) : (y))
 LOOP(sum, x[i] + y[i])
 LOOP(difference, x[i] - y[i])
 LOOP(negative, -x[i])
@@ -95,21 +83,6 @@ static Loop* const loops[] = {sum,
                               chosen,
                               mixed,
                               volatile_read};
-
-static void fill(void) {
-  unsigned state = 99;
-  for (int i = 0; i < COUNT + 8; i++) {
-    a[i] = i < 40 ? edges[i % 12] : half((int)next_number(&state));
-    b[i] = i < 40 ? edges[i * 5 / 7 % 12] : half((int)next_number(&state));
-    c[i] = half(i);
-  }
-}
-static unsigned result(unsigned sum) {
-  for (int i = 0; i < COUNT + 8; i++)
-    sum = mix(sum, ((unsigned)a[i] << 16) ^ (unsigned)c[i]);
-  fill();
-  return sum;
-}
 
 int main(void) {
   fill();

@@ -1,19 +1,7 @@
 /* Loops over 16-bit arrays that the compiler takes two elements at a time, where the arrays overlap
  * by any distance, lie in rows of odd and even length, or give their least and greatest; and loops
  * that must go one by one. */
-#include "report.h"
-
-enum { COUNT = 80 };
-
-static short a[COUNT + 8], b[COUNT + 8], c[COUNT + 8];
-static const short edges[] = {0,      1,   -1,   32767, -32768, 32766,
-                              -32767, 255, -256, 16384, -16384, 12345};
-
-#define MAGNITUDE(x) ((x) < 0 ? -(x) : (x))
-#define LEAST(x, y) ((x) < (y) ? (x) : (y))
-#define MOST(x, y) ((x) > (y) ? (x) : (y))
-static short half(int x) { return (short)x; }
-static int clamp(int x) { return x > 32767 ? 32767 : x < -32768 ? -32768 : x; }
+#include "halves.h"
 
 APART static void overlapping(short* z, const short* x, const short* y, int n) {
   for (int i = 0; i < n; i++)
@@ -80,21 +68,6 @@ APART static int least_of_amounts(const short* x, int n) {
     if (half(MAGNITUDE(x[i])) < found)
       found = half(MAGNITUDE(x[i]));
   return found;
-}
-
-static void fill(void) {
-  unsigned state = 99;
-  for (int i = 0; i < COUNT + 8; i++) {
-    a[i] = i < 40 ? edges[i % 12] : half((int)next_number(&state));
-    b[i] = i < 40 ? edges[i * 5 / 7 % 12] : half((int)next_number(&state));
-    c[i] = half(i);
-  }
-}
-static unsigned result(unsigned sum) {
-  for (int i = 0; i < COUNT + 8; i++)
-    sum = mix(sum, ((unsigned)a[i] << 16) ^ (unsigned)c[i]);
-  fill();
-  return sum;
 }
 
 int main(void) {
